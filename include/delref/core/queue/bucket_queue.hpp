@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+//
+// Coarse buckets by priority: the lowest bucket first, last in first out within a bucket. A bucket spans a factor of two of the
+// priority, which is all the order that refinement profits from (Shewchuk's Triangle does the same by edge length); a total
+// order costs more than it gives.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include <delref/core/queue/entry_pool.hpp>
+
+namespace delref {
+
+/// A refinement queue of 2,048 buckets, one per binary exponent of the priority.
+template <class T>
+class BucketQueue {
+ public:
+  QueuePosition push(const T& value, double priority) {
+    const std::size_t b = bucket_of(priority);
+    if (lists_[b] < 0) lists_[b] = pool_.make_list();
+    mark(b);
+    ++size_;
+    return pool_.insert_after(lists_[b], value);
+  }
+  QueuePosition front() const {
+    std::size_t b = first_marked();
+    while (pool_.is_empty(lists_[b])) {
+      unmark(b);
+      b = first_marked();
+    }
+    return pool_.first(lists_[b]);
+  }
+  T& at(QueuePosition position) { return pool_.value(position); }
+  void erase(QueuePosition position) {
+    --size_;
+    pool_.erase(position);
+  }
+  bool empty() const { return size_ == 0; }
+  std::size_t size() const { return size_; }
+  void clear() { *this = BucketQueue(); }
+  template <class F>
+  void for_each(F&& f) const {
+    for (const QueuePosition list : lists_)
+      if (list >= 0)
+        for (QueuePosition p = pool_.first(list); p != list; p = pool_.next(p)) f(pool_.value(p));
+  }
+
+ private:
+  static constexpr std::size_t bucket_count = 2048;
+
+  /// The exponent field of the double: monotonic for priorities >= 0.
+  static std::size_t bucket_of(double priority) {
+    return static_cast<std::size_t>(std::bit_cast<std::uint64_t>(std::max(priority, 0.0)) >> 52);
+  }
+  // A bit per bucket that may be non-empty, and a bit per word of those.
+  void mark(std::size_t b) {
+    words_[b / 64] |= std::uint64_t{1} << (b % 64);
+    summary_ |= std::uint64_t{1} << (b / 64);
+  }
+  void unmark(std::size_t b) const {
+    words_[b / 64] &= ~(std::uint64_t{1} << (b % 64));
+    if (words_[b / 64] == 0) summary_ &= ~(std::uint64_t{1} << (b / 64));
+  }
+  std::size_t first_marked() const {
+    const auto w = static_cast<std::size_t>(std::countr_zero(summary_));
+    return w * 64 + static_cast<std::size_t>(std::countr_zero(words_[w]));
+  }
+  static constexpr std::array<QueuePosition, bucket_count> no_lists() {
+    std::array<QueuePosition, bucket_count> lists{};
+    lists.fill(-1);
+    return lists;
+  }
+
+  EntryPool<T> pool_;
+  std::array<QueuePosition, bucket_count> lists_ = no_lists();
+  mutable std::array<std::uint64_t, bucket_count / 64> words_{};
+  mutable std::uint64_t summary_ = 0;
+  std::size_t size_ = 0;
+};
+
+}  // namespace delref
