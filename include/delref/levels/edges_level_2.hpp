@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The edges level of planar meshing: encroached subsegments are split. After Ruppert, "A Delaunay refinement algorithm for quality
+// 2-dimensional mesh generation" (1995), with the concentric shells of his section 6 for small input angles, and Chew's deletion of
+// free vertices (1993) where the encroachment policy asks for it.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include <delref/core/proposal.hpp>
+#include <delref/core/queue/element_set.hpp>
+#include <delref/core/queue/lifo_queue.hpp>
+#include <delref/core/verdict.hpp>
+#include <delref/domain/planar_domain.hpp>
+#include <delref/levels/encroachment.hpp>
+#include <delref/levels/split_point.hpp>
+#include <delref/triangulation/planar_concept.hpp>
+
+namespace delref {
+
+/// What the edges level may do to segments.
+struct EdgesOptions {
+  double smallest_edge = 0;      ///< a subsegment that is not longer is not split, in the unit of the input
+  bool protect_boundary = false; ///< no segment that bounds the domain is split
+};
+
+/// Keeps every subsegment of the domain free of encroaching vertices. `Tr` models `PlanarTriangulation`; `domain` must outlive the
+/// level. A subsegment is judged by the apexes of its two triangles, and by the points that levels of lower priority propose.
+template <PlanarTriangulation Tr, Encroachment2<Tr> Policy = DiametralCircle, class Queue = LifoQueue<typename Tr::Edge>>
+class EdgesLevel2 {
+ public:
+  using Element = typename Tr::Edge;
+
+  explicit EdgesLevel2(const PlanarDomain& domain, Policy policy = {}, EdgesOptions options = {})
+      : domain_(&domain), policy_(policy), options_(options) {}
+
+  std::string_view name() const { return "edges"; }
+  void assign_slot(std::size_t k) { set_.assign_slot(k); }
+
+  void scan_triangulation(Tr& tr) {
+    set_.clear();
+    for (const Element e : tr.subsegments()) {
+      test(tr, e);
+      test(tr, tr.mirror(e));
+    }
+  }
+
+  bool empty() const { return set_.empty(); }
+  Element next_element() { return set_.front(); }
+  void pop_next_element(Tr& tr) { set_.pop(tr); }
+  template <class F>
+  void for_each_queued(F&& f) const { set_.for_each(f); }
+
+  Point2 refinement_point(const Tr& tr, const Element& e) const {
+    const std::size_t s = tr.segment(e);
+    return split_point(tr.point(tr.source(e)), tr.point(tr.target(e)), domain_->point(s, 0), domain_->point(s, 1), near_corner(tr, e));
+  }
+  Carrier carrier(const Tr& tr, const Element& e) const { return {1, static_cast<std::uint32_t>(tr.segment(e))}; }
+
+  std::optional<Reason> give_up(const Tr& tr, const Element& e) const {
+    if (is_protected(tr, e)) return Reason::protected_segment;
+    const double floor = options_.smallest_edge;
+    if (squared_length(tr, e) <= floor * floor) return Reason::size_floor;
+    return std::nullopt;
+  }
+  void on_rejected_forever(Tr& tr, const Element& e, Reason) { set_.give_up(tr, e); }
+  std::string_view unmet_criterion(const Tr&, const Element&) const { return "encroached subsegment"; }
+
+  /// The zone of the split, with the free vertices of the diametral circle as vanishing when the policy deletes them.
+  Location<Tr> conflict_zone(Tr& tr, const Element& e, Point2 p, typename Tr::Zone& zone) {
+    free_vertices_.clear();
+    if constexpr (Policy::deletes_free_vertices) {
+      if (near_corner(tr, e) == End::none) {
+        collect_free_vertices(tr, e);
+        collect_free_vertices(tr, tr.mirror(e));
+      }
+    }
+    if constexpr (requires { tr.conflict_zone(p, e, free_vertices_, zone); }) return tr.conflict_zone(p, e, free_vertices_, zone);
+    else return tr.conflict_zone(p, typename Tr::Hint(e), zone);
+  }
+
+  /// Rejects the point of another level when it encroaches subsegments of its zone, which are then to be split.
+  Verdict check_refinement_point(Tr& tr, const Proposal<Tr>& proposal) {
+    if (proposal.carrier.dimension < 2) return Verdict::permitted;
+    encroached_.clear();
+    for (const Element outer : proposal.zone->boundary_edges())
+      if (tr.is_constrained(outer) && policy_.encroaches(tr, outer, proposal.point)) encroached_.push_back(outer);
+    return encroached_.empty() ? Verdict::permitted : split_instead(tr);
+  }
+  Verdict check_blocked(Tr& tr, const Element& e, const Proposal<Tr>&) {
+    encroached_.assign(1, e);
+    return split_instead(tr);
+  }
+  Reason rejection_reason() const { return reason_; }
+
+  void before_insertion(Tr& tr, const Proposal<Tr>& proposal) {
+    for (const Element e : proposal.zone->dying_subsegments()) set_.erase(tr, e);
+    for (const Element outer : proposal.zone->boundary_edges())
+      if (tr.is_constrained(outer)) set_.rename(tr, outer);
+  }
+  void after_insertion(Tr& tr, typename Tr::Vertex, const Proposal<Tr>& proposal) {
+    for (const typename Tr::Face f : proposal.zone->new_faces())
+      for (int i = 0; i < 3; ++i)
+        if (const Element e = tr.edge(f, i); tr.is_constrained(e)) test(tr, e);
+  }
+
+ private:
+  /// Queues `e` when the apex on its side encroaches it.
+  void test(Tr& tr, const Element& e) {
+    if (tr.in_domain(tr.face(e)) && policy_.encroaches(tr, e, tr.point(tr.apex(e)))) set_.add(tr, e, squared_length(tr, e));
+  }
+  static double squared_length(const Tr& tr, const Element& e) { return squared_distance(tr.point(tr.source(e)), tr.point(tr.target(e))); }
+
+  bool is_protected(const Tr& tr, const Element& e) const {
+    return options_.protect_boundary && domain_->segments[tr.segment(e)].bounds_domain;
+  }
+  /// Why `e` cannot be split, if it cannot.
+  std::optional<Reason> obstacle(const Tr& tr, const Element& e) const {
+    if (const auto reason = give_up(tr, e)) return reason;
+    if (set_.is_given_up(tr, e)) return Reason::precision;
+    return std::nullopt;
+  }
+  /// A point that may not be inserted encroaches `encroached_`: these are to be split. If one of them cannot be, the point must
+  /// never be inserted.
+  Verdict split_instead(Tr& tr) {
+    for (const Element& e : encroached_)
+      if (const auto obstacle = this->obstacle(tr, e)) return reason_ = *obstacle, Verdict::rejected_forever;
+    for (const Element& e : encroached_) set_.add(tr, e, squared_length(tr, e));
+    return Verdict::rejected;
+  }
+
+  /// The end of the subsegment at which its segment has a sharp corner.
+  End near_corner(const Tr& tr, const Element& e) const {
+    const PlanarDomain::Segment& s = domain_->segments[tr.segment(e)];
+    const auto is_corner = [&](typename Tr::Vertex v) {
+      const Carrier c = tr.carrier(v);
+      return c.dimension == 0 && ((s.sharp[0] && c.index == s.ends[0]) || (s.sharp[1] && c.index == s.ends[1]));
+    };
+    if (is_corner(tr.source(e))) return End::source;
+    return is_corner(tr.target(e)) ? End::target : End::none;
+  }
+
+  /// The free vertices in the diametral circle of `e`, on the side of its face: those that are reached from `e` through edges that
+  /// meet the circle, and no constraint.
+  void collect_free_vertices(const Tr& tr, const Element& e) {
+    if (!tr.in_domain(tr.face(e))) return;
+    visited_.assign(1, e);
+    for (std::size_t k = 0; k < visited_.size() && k < 64; ++k) {
+      const typename Tr::Vertex v = tr.apex(visited_[k]);
+      if (!tr.in_diametral_circle(e, tr.point(v))) continue;
+      if (tr.carrier(v).dimension == 2 && !is_listed(v)) free_vertices_.push_back(v);
+      for (int i = 0; i < 3; ++i) {
+        const Element side = tr.edge(tr.face(visited_[k]), i);
+        if (!(side == visited_[k]) && !tr.is_constrained(side)) visited_.push_back(tr.mirror(side));
+      }
+    }
+  }
+  bool is_listed(typename Tr::Vertex v) const {
+    for (const auto w : free_vertices_)
+      if (w == v) return true;
+    return false;
+  }
+
+  const PlanarDomain* domain_;
+  Policy policy_;
+  EdgesOptions options_;
+  ElementSet<Element, Queue> set_;
+  Reason reason_ = Reason::size_floor;
+  std::vector<Element> encroached_;
+  std::vector<typename Tr::Vertex> free_vertices_;
+  std::vector<Element> visited_;
+};
+
+}  // namespace delref
