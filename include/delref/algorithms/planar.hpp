@@ -30,23 +30,22 @@ struct PlanarResult {
 
 namespace planar_detail {
 
-/// The criteria of the options, on coordinates that are 2^k times the input's.
-inline auto criteria(const PlanarOptions& options, const PlanarDomain& domain, int k) {
-  const auto scaled = [k](double x, int power) { return std::ldexp(x, k * power); };
-  std::vector<Pslg::Region> regions = domain.regions;
+/// The criteria of the options, on the coordinates of the domain.
+inline auto criteria(const PlanarOptions& options, const PlanarDomain& domain) {
+  const int k = domain.scale;
   const auto size = [field = options.size, k](Point2 p) {
     if (!field) return std::numeric_limits<double>::infinity();
-    return k == 0 ? field(p) : std::ldexp(field(delref::scaled(p, -k)), k);
+    return k == 0 ? field(p) : std::ldexp(field(scaled(p, -k)), k);
   };
-  return TriangleCriteria(MinimumAngle{options.min_angle}, MaximumArea{scaled(options.max_area, 2)}, MaximumRegionArea(regions),
-                          MaximumEdge{scaled(options.max_edge, 1)}, SizeAtCentroid{size});
+  return TriangleCriteria(MinimumAngle{options.min_angle}, MaximumArea{std::ldexp(options.max_area, 2 * k)},
+                          MaximumRegionArea(domain.regions), MaximumEdge{std::ldexp(options.max_edge, k)}, SizeAtCentroid{size});
 }
 
 /// Puts mesh and outcome back into the coordinates and the numbering of the input.
-inline void restore(PlanarResult& result, const std::vector<Pslg::Index>& points, const std::vector<Pslg::Index>& segments, int k) {
+inline void restore(PlanarResult& result, const CheckedPslg& checked, int k) {
   for (Carrier& c : result.mesh.carriers)
-    if (c.dimension < 2) c.index = c.dimension == 0 ? points[c.index] : segments[c.index];
-  for (Pslg::Index& s : result.mesh.edge_segments) s = segments[s];
+    if (c.dimension < 2) c.index = c.dimension == 0 ? checked.original_point[c.index] : checked.original_segment[c.index];
+  for (Pslg::Index& s : result.mesh.edge_segments) s = checked.original_segment[s];
   if (k == 0) return;
   for (Point2& p : result.mesh.points) p = scaled(p, -k);
   for (Unmet<Point2>& u : result.outcome.unmet) u.place = scaled(u.place, -k);
@@ -72,20 +71,18 @@ Outcome<Point2> refine(Tr& tr, Levels levels, const Control& control, Observers&
 template <class... Observers>
 PlanarResult mesh_planar(Pslg input, const PlanarOptions& options, const Control& control = Control{}, Observers&... observers) {
   using Tr = ConstrainedDelaunay2<>;
-  CheckedPslg checked = check_pslg(std::move(input), {options.merge_tolerance, options.split_crossings}, control);
-  const int k = scale_exponent(checked.pslg);
-
+  const CheckedPslg checked = check_pslg(std::move(input), {options.merge_tolerance, options.split_crossings}, control);
   Tr tr;
-  PlanarDomainBuilder builder(tr, scaled(std::move(checked.pslg), k), control);
+  PlanarDomainBuilder builder(tr, checked, control);
   PlanarResult result;
-  result.notes = std::move(checked.notes);
+  result.notes = checked.notes;
   for (std::string& note : std::move(builder).notes()) result.notes.push_back(std::move(note));
   const PlanarDomain domain = std::move(builder).domain();
 
   const auto run = [&](auto encroachment, auto points) {
-    const EdgesOptions edges{std::ldexp(control.budget().smallest_edge, k), options.keep_boundary};
+    const EdgesOptions edges{std::ldexp(control.budget().smallest_edge, domain.scale), options.keep_boundary};
     return planar_detail::refine(
-        tr, planar_levels<Tr>(domain, planar_detail::criteria(options, domain, k), encroachment, points, edges), control, observers...);
+        tr, planar_levels<Tr>(domain, planar_detail::criteria(options, domain), encroachment, points, edges), control, observers...);
   };
   const auto with_points = [&](auto encroachment) {
     return options.points == PointChoice::off_centre ? run(encroachment, OffCentre(options.min_angle)) : run(encroachment, Circumcentre{});
@@ -96,7 +93,7 @@ PlanarResult mesh_planar(Pslg input, const PlanarOptions& options, const Control
   std::vector<std::string> names;
   for (const LevelCounts& level : result.outcome.levels) names.push_back(level.name);
   result.mesh = extract_planar_mesh(tr, domain, std::move(names));
-  planar_detail::restore(result, checked.original_point, checked.original_segment, k);
+  planar_detail::restore(result, checked, domain.scale);
   return result;
 }
 

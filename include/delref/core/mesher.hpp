@@ -125,7 +125,7 @@ class Mesher {
     }
     each_level([&](auto index, const auto& level) {
       level_options::for_each_queued(level, [&](const auto& e) {
-        ++result.levels[index].queued;
+        if (++result.levels[index].queued > Outcome<Point>::listed_per_level) return;
         result.unmet.push_back(describe(given_up(level, static_cast<LevelIndex>(index), e, Reason::budget)));
       });
     });

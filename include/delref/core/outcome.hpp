@@ -46,12 +46,20 @@ struct Outcome {
   /// Set when the run was stopped before every set was empty; refining can go on later.
   std::optional<Stop> stopped;
   std::vector<LevelCounts> levels;
-  /// Elements that are still in the mesh, do not meet their criterion, and were given up for good.
+  /// Elements that are still in the mesh and do not meet their criterion: all that were given up for good, and, when the run was
+  /// stopped, the first `listed_per_level` that each level had still queued (`levels[i].queued` counts all of them).
   std::vector<Unmet<Point>> unmet;
+  static constexpr std::size_t listed_per_level = 100'000;
 
   /// Every set was emptied: what does not meet its criterion is listed in `unmet` and nothing else.
   bool complete() const { return !stopped; }
+  /// How many elements are unmet for this reason, listed or not.
   std::size_t unmet_count(Reason reason) const {
+    if (reason == Reason::budget) {
+      std::size_t queued = 0;
+      for (const LevelCounts& level : levels) queued += level.queued;
+      return queued;
+    }
     return static_cast<std::size_t>(std::ranges::count(unmet, reason, &Unmet<Point>::reason));
   }
 };

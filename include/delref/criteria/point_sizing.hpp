@@ -134,8 +134,10 @@ class PointSizing2 {
       const bool placed = std::abs(p.x) <= largest_coordinate && std::abs(p.y) <= largest_coordinate;
       if (placed && sizes[i] > 0) continue;
       const std::string name = "size point " + std::to_string(i + first_index) + " at " + describe(p);
-      if (!placed) defects.add(name + ": its coordinates must be numbers of absolute value at most 1e150");
-      else defects.add(name + ": its size is " + describe(sizes[i]) + "; a size must be positive (infinity for none)", {p});
+      if (!placed)
+        defects.add(name + ": its coordinates must be numbers of absolute value at most 1e150");
+      else
+        defects.add(name + ": its size is " + describe(sizes[i]) + "; a size must be positive (infinity for none)", {p});
     }
     if (!defects.empty()) throw InvalidInput(defects.take());
   }

@@ -29,11 +29,13 @@ concept SizingField2 = requires(const Field& field, Point2 p) {
 template <class Field>
 consteval void explain_sizing_field() {
   constexpr bool is_called = requires(const Field& field, Point2 p) { field(p); };
-  static_assert(is_called, "A sizing field must be callable with a delref::Point2 while it is const: give it the member "
-                           "`double operator()(delref::Point2) const`, or use a lambda that is not mutable.");
+  static_assert(is_called,
+                "A sizing field must be callable with a delref::Point2 while it is const: give it the member "
+                "`double operator()(delref::Point2) const`, or use a lambda that is not mutable.");
   if constexpr (is_called)
-    static_assert(SizingField2<Field>, "A sizing field must return the size as a number: what yours returns for a "
-                                       "delref::Point2 does not convert to double.");
+    static_assert(SizingField2<Field>,
+                  "A sizing field must return the size as a number: what yours returns for a "
+                  "delref::Point2 does not convert to double.");
 }
 
 /// The size of the field at `p`, greater than 0 (perhaps infinity). Throws `InvalidInput` that names the point when the field
@@ -44,10 +46,10 @@ double checked_size(const Field& field, Point2 p) {
   if constexpr (SizingField2<Field>) {
     const double size = static_cast<double>(field(p));
     if (size > 0) return size;
-    throw InvalidInput({Defect{"the sizing field gives " + (size <= 0 ? describe(size) : std::string("not a number")) +
-                                   " at the point " + describe(p) +
-                                   ": a size must be positive everywhere in the domain; return infinity where there is no bound",
-                               {p}}});
+    throw InvalidInput(
+        {Defect{"the sizing field gives " + (size <= 0 ? describe(size) : std::string("not a number")) + " at the point " +
+                    describe(p) + ": a size must be positive everywhere in the domain; return infinity where there is no bound",
+                {p}}});
   } else {
     return 0;
   }

@@ -21,12 +21,15 @@
 #include <delref/domain/describe.hpp>
 #include <delref/domain/invalid_input.hpp>
 #include <delref/domain/planar_domain.hpp>
+#include <delref/domain/pslg_check.hpp>
 #include <delref/domain/pslg_crossings.hpp>
+#include <delref/domain/pslg_scale.hpp>
 #include <delref/triangulation/constrained_delaunay_2.hpp>
 
 namespace delref {
 
-/// Builds a triangulation and the domain of a checked PSLG (`check_pslg`). Use once: the constructor does the work.
+/// Builds a triangulation and the domain of a checked PSLG (`check_pslg`), scaled by a power of two where its coordinates are
+/// extreme. Use once: the constructor does the work.
 ///
 /// Four vertices of a box around the input, at three times its extent, keep infinite faces away from every segment; they
 /// belong to no domain. Throws `InvalidInput` when segments cross or overlap, or when there is no bounded region; `Interrupted`.
@@ -38,8 +41,9 @@ class PlanarDomainBuilder {
   using Cgal = typename Tr::Cgal;
 
  public:
-  PlanarDomainBuilder(Tr& tr, Pslg pslg, const Control& control) : tr_(tr), control_(control) {
-    domain_.pslg = std::move(pslg);
+  PlanarDomainBuilder(Tr& tr, const CheckedPslg& checked, const Control& control) : tr_(tr), checked_(checked), control_(control) {
+    domain_.scale = scale_exponent(checked.pslg);
+    domain_.pslg = scaled(checked.pslg, domain_.scale);
     insert_vertices();
     insert_segments();
     label();
@@ -101,7 +105,7 @@ class PlanarDomainBuilder {
   }
 
   [[noreturn]] void refuse_crossings() {
-    std::vector<Defect> defects = find_crossings(domain_.pslg, control_);
+    std::vector<Defect> defects = find_crossings(checked_, control_);
     if (defects.empty())
       defects.push_back({"segments cross or overlap; give --split-crossings (PlanarOptions::split_crossings) to split them", {}});
     throw InvalidInput(std::move(defects));
@@ -136,7 +140,8 @@ class PlanarDomainBuilder {
     if (!bounded) refuse_open_boundary();
     const auto& pslg = domain_.pslg;
     for (std::size_t h = 0; h < pslg.holes.size(); ++h)
-      if (const auto f = locate_seed(pslg.holes[h], fmt::format("hole seed {}", h + pslg.first_index))) flood(*f, outside);
+      if (const auto f = locate_seed(pslg.holes[h], fmt::format("hole seed {}", h + pslg.first_index), checked_.pslg.holes[h]))
+        flood(*f, outside);
     if (std::ranges::empty(tr_.domain_faces())) refuse_swallowed();
     label_regions();
     find_boundary_and_corners();
@@ -160,14 +165,15 @@ class PlanarDomainBuilder {
   }
 
   /// The face of the domain that holds a seed; nothing, and a note, when the seed is outside. Throws when it is on a segment.
-  std::optional<Face> locate_seed(Point2 seed, const std::string& what) {
+  /// Messages give it as it is in the input.
+  std::optional<Face> locate_seed(Point2 seed, const std::string& what, Point2 in_input) {
     typename Cgal::Locate_type type;
     int i = 0;
     const auto f = tr_.cgal().locate({seed.x, seed.y}, type, i);
     if (type == Cgal::VERTEX || (type == Cgal::EDGE && f->segment(i) >= 0))
-      throw InvalidInput({Defect{what + " at " + describe(seed) + " lies on a segment or vertex: move it inside", {seed}}});
+      throw InvalidInput({Defect{what + " at " + describe(in_input) + " lies on a segment or vertex: move it inside", {in_input}}});
     if (type == Cgal::OUTSIDE_CONVEX_HULL || type == Cgal::OUTSIDE_AFFINE_HULL || f->region() == outside) {
-      notes_.push_back(what + " at " + describe(seed) + " lies outside the domain or in a hole that another seed made: it has no effect");
+      notes_.push_back(what + " at " + describe(in_input) + " lies outside the domain or in a hole that another seed made: it has no effect");
       return std::nullopt;
     }
     return Face{f};
@@ -179,7 +185,8 @@ class PlanarDomainBuilder {
     for (std::size_t r = 0; r < pslg.regions.size(); ++r) {
       const std::string what = fmt::format("region seed {}", r + pslg.first_index);
       domain_.regions.push_back(pslg.regions[r]);
-      const auto f = locate_seed(pslg.regions[r].seed, what);
+      const Point2 seed = checked_.pslg.regions[r].seed;
+      const auto f = locate_seed(pslg.regions[r].seed, what, seed);
       if (!f) continue;
       const int earlier = tr_.region(*f);
       if (earlier != unlabelled) {
@@ -187,9 +194,9 @@ class PlanarDomainBuilder {
         if (other.label != pslg.regions[r].label || other.max_area != pslg.regions[r].max_area)
           throw InvalidInput({Defect{fmt::format("{} at {} is in the same region as region seed {} at {}, with another label or area "
                                                  "bound: keep one of them, or separate them by segments",
-                                                 what, describe(pslg.regions[r].seed),
-                                                 static_cast<std::size_t>(earlier) - 1 + pslg.first_index, describe(other.seed)),
-                                     {pslg.regions[r].seed, other.seed}}});
+                                                 what, describe(seed), static_cast<std::size_t>(earlier) - 1 + pslg.first_index,
+                                                 describe(checked_.pslg.regions[static_cast<std::size_t>(earlier) - 1].seed)),
+                                     {seed}}});
         continue;
       }
       flood(*f, static_cast<int>(domain_.regions.size() - 1));
@@ -236,8 +243,8 @@ class PlanarDomainBuilder {
     std::vector<Point2> places;
     for (std::size_t i = 0; i < degree.size() && places.size() < 10; ++i) {
       if (degree[i] != 1) continue;
-      places.push_back(domain_.pslg.points[i]);
-      ends += fmt::format("{}vertex {} at {}", ends.empty() ? "" : ", ", i + domain_.pslg.first_index, describe(places.back()));
+      places.push_back(checked_.pslg.points[i]);
+      ends += (ends.empty() ? "" : ", ") + checked_.names().placed_vertex(i);
     }
     throw InvalidInput({Defect{"the segments bound no region: no closed chain of them separates an inside from the outside" +
                                    (ends.empty() ? std::string("; add the missing segments")
@@ -248,14 +255,15 @@ class PlanarDomainBuilder {
   [[noreturn]] void refuse_swallowed() const {
     std::string seeds;
     for (std::size_t h = 0; h < domain_.pslg.holes.size() && h < 10; ++h)
-      seeds += fmt::format("{}seed {} at {}", h ? ", " : "", h + domain_.pslg.first_index, describe(domain_.pslg.holes[h]));
+      seeds += fmt::format("{}seed {} at {}", h ? ", " : "", h + domain_.pslg.first_index, describe(checked_.pslg.holes[h]));
     throw InvalidInput({Defect{"the holes swallow the whole domain: " + seeds +
                                    "; a seed removes everything up to the next segments around it: move or remove it, or close "
                                    "the segments around the hole",
-                               domain_.pslg.holes}});
+                               checked_.pslg.holes}});
   }
 
   Tr& tr_;
+  const CheckedPslg& checked_;
   const Control& control_;
   PlanarDomain domain_;
   std::vector<Vertex> vertices_;

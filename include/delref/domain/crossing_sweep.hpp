@@ -43,8 +43,10 @@ class CrossingSweep {
     std::size_t steps = 0;
     for (const Event& event : events()) {
       if (++steps % 1024 == 0) throw_if_stopped(control);
-      if (event.starts) start(event.segment);
-      else end(event.segment);
+      if (event.starts)
+        start(event.segment);
+      else
+        end(event.segment);
     }
   }
 
@@ -78,7 +80,8 @@ class CrossingSweep {
     std::ranges::sort(order, lexicographically_less, [this](Index i) { return pslg_.points[i]; });
     rank_.resize(order.size());
     for (std::size_t i = 0; i < order.size(); ++i)
-      rank_[order[i]] = i > 0 && pslg_.points[order[i]] == pslg_.points[order[i - 1]] ? rank_[order[i - 1]] : static_cast<Index>(i);
+      rank_[order[i]] =
+          i > 0 && pslg_.points[order[i]] == pslg_.points[order[i - 1]] ? rank_[order[i - 1]] : static_cast<Index>(i);
     ends_ = pslg_.segments;
     for (auto& ends : ends_)
       if (rank_[ends[1]] < rank_[ends[0]]) std::swap(ends[0], ends[1]);

@@ -42,8 +42,10 @@ class DefectList {
   bool empty() const { return defects_.empty(); }
 
   void add(std::string message, std::vector<Point2> places = {}) {
-    if (full()) ++more_;
-    else defects_.push_back({std::move(message), std::move(places)});
+    if (full())
+      ++more_;
+    else
+      defects_.push_back({std::move(message), std::move(places)});
   }
 
   /// The defects; the last one says how many more there are. `qualifier` is put before that number ("at least ").

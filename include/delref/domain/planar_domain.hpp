@@ -24,7 +24,9 @@ struct PlanarDomain {
     bool bounds_domain = false;          ///< one of its sides is outside the domain
   };
 
+  /// The checked graph, its coordinates times 2^scale.
   Pslg pslg;
+  int scale = 0;
   std::vector<Segment> segments;
   /// By the region number of a face; number 0 is what no seed names.
   std::vector<Pslg::Region> regions;

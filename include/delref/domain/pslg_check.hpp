@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What a planar straight line graph must be before it is meshed. Everything that can be checked in linear time is checked here;
-// crossings are looked for by `pslg_crossings.hpp` when something hits one, and what needs the triangulation (seeds, boundedness) by the mesher.
+// crossings are looked for by `pslg_crossings.hpp` when something hits one, and what needs the triangulation (seeds,
+// boundedness) by the mesher.
 #pragma once
 
 #include <algorithm>

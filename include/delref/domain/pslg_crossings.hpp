@@ -45,8 +45,8 @@ inline Ends2 ends(const Pslg& pslg, std::size_t s) {
 }
 
 /// Compares each segment that the sweep set aside with all that its box meets.
-inline void compare_boxes(const Pslg& pslg, const std::vector<bool>& set_aside, const CrossingLimits& limits, const Control& control,
-                          CrossingPairs& found) {
+inline void compare_boxes(const Pslg& pslg, const std::vector<bool>& set_aside, const CrossingLimits& limits,
+                          const Control& control, CrossingPairs& found) {
   using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, Pslg::Index>;
   struct Enough {};
   std::vector<Box> all, aside;

@@ -35,7 +35,8 @@ inline std::string why_unusable(Point2 p) {
 inline void check_counts(const Pslg& pslg, DefectList& defects) {
   const auto length = [&defects](const char* name, std::size_t actual, std::size_t expected, const char* what) {
     if (actual != expected)
-      defects.add(std::string("there are ") + std::to_string(actual) + ' ' + name + " for " + std::to_string(expected) + ' ' + what);
+      defects.add(std::string("there are ") + std::to_string(actual) + ' ' + name + " for " + std::to_string(expected) + ' ' +
+                  what);
   };
   const auto limit = [&defects](std::size_t actual, const char* what) {
     if (actual > largest_element_count)
@@ -48,7 +49,8 @@ inline void check_counts(const Pslg& pslg, DefectList& defects) {
   if (!pslg.segment_markers.empty()) length("segment markers", pslg.segment_markers.size(), pslg.segments.size(), "segments");
   length("attribute values", pslg.attributes.size(), pslg.attribute_count * pslg.points.size(),
          "(vertices times attributes of each)");
-  if (pslg.points.empty()) defects.add("the input has no vertices: there is nothing to mesh");
+  if (pslg.points.empty())
+    defects.add("the input has no vertices: there is nothing to mesh");
   else if (pslg.segments.empty())
     defects.add("the input has " + count_of(pslg.points.size(), "vertex", "vertices") +
                 " but no segments: nothing bounds a domain; give the segments of its boundary");
@@ -73,7 +75,8 @@ inline void check_segments(const Pslg& pslg, const Control& control, DefectList&
       if (v < count) continue;
       // A number below the first one wraps around when the first is taken from it.
       const auto number = static_cast<long long>(static_cast<std::int32_t>(v)) + pslg.first_index;
-      const auto shown = number < static_cast<long long>(pslg.first_index) ? number : static_cast<long long>(v) + pslg.first_index;
+      const auto shown =
+          number < static_cast<long long>(pslg.first_index) ? number : static_cast<long long>(v) + pslg.first_index;
       defects.add("segment " + std::to_string(s + pslg.first_index) + " refers to vertex " + std::to_string(shown) +
                   ", which does not exist: vertices are numbered from " + std::to_string(pslg.first_index) + " to " +
                   std::to_string(count - 1 + pslg.first_index));
@@ -91,8 +94,9 @@ inline void check_seeds(const Pslg& pslg, DefectList& defects) {
     if (const std::string why = why_unusable(region.seed); !why.empty())
       defects.add("the seed of " + name + " at " + describe(region.seed) + ": " + why);
     if (!(region.max_area >= 0))
-      defects.add("the greatest area in " + name + " is " + describe(region.max_area) + ": give a positive area, or 0 for no bound",
-                  {region.seed});
+      defects.add(
+          "the greatest area in " + name + " is " + describe(region.max_area) + ": give a positive area, or 0 for no bound",
+          {region.seed});
   }
 }
 

@@ -56,12 +56,15 @@ inline std::string example(const Pslg& pslg, std::size_t i, std::size_t kept) {
          " apart";
 }
 
-inline void tell_close(const Pslg& pslg, const std::vector<std::uint32_t>& close, double distance, std::vector<std::string>& notes) {
+inline void tell_close(const Pslg& pslg, const std::vector<std::uint32_t>& close, double distance,
+                       std::vector<std::string>& notes) {
   ExampleList examples;
   for (std::size_t i = 0; i < close.size(); ++i) {
     if (pslg.points[close[i]] == pslg.points[i]) continue;
-    if (examples.full()) examples.add();
-    else examples.add(example(pslg, i, close[i]));
+    if (examples.full())
+      examples.add();
+    else
+      examples.add(example(pslg, i, close[i]));
   }
   if (examples.count() == 0) return;
   notes.push_back(count_of(examples.count(), "vertex lies", "vertices lie") + " nearer than " + describe(distance) +
@@ -74,8 +77,10 @@ inline void tell_merged(const Pslg& pslg, const std::vector<std::uint32_t>& repr
   ExampleList examples;
   for (std::size_t i = 0; i < representative.size(); ++i) {
     if (representative[i] == i) continue;
-    if (examples.full()) examples.add();
-    else examples.add(example(pslg, i, representative[i]));
+    if (examples.full())
+      examples.add();
+    else
+      examples.add(example(pslg, i, representative[i]));
   }
   if (examples.count() == 0) return;
   notes.push_back(count_of(examples.count(), "vertex was", "vertices were") + " merged with an earlier one " +
@@ -136,8 +141,10 @@ inline void drop_segments(CheckedPslg& checked, const Control& control) {
     const auto [a, b] = pslg.segments[s];
     const Pslg::Index original = checked.original_segment[s];
     if (a == b) {
-      if (zero_length.full()) zero_length.add();
-      else zero_length.add(number(original) + " at " + checked.names().placed_vertex(a));
+      if (zero_length.full())
+        zero_length.add();
+      else
+        zero_length.add(number(original) + " at " + checked.names().placed_vertex(a));
       continue;
     }
     std::uint32_t& same = first[{std::min(a, b), std::max(a, b)}];
@@ -167,8 +174,8 @@ inline void drop_segments(CheckedPslg& checked, const Control& control) {
     checked.notes.push_back(count_of(zero_length.count(), "segment of no length was", "segments of no length were") +
                             " dropped: " + zero_length.text());
   if (repeated.count() > 0)
-    checked.notes.push_back(count_of(repeated.count(), "repeated segment was", "repeated segments were") + " dropped: " +
-                            repeated.text());
+    checked.notes.push_back(count_of(repeated.count(), "repeated segment was", "repeated segments were") +
+                            " dropped: " + repeated.text());
 }
 
 }  // namespace pslg_merge

@@ -40,14 +40,13 @@ struct PslgNames {
   /// "segment 4 (vertices 0 and 2)".
   std::string segment(std::size_t s) const {
     const auto [a, b] = pslg.segments[s];
-    return "segment " + std::to_string(segment_number(s)) + " (vertices " + point_number(a) + " and " +
-           point_number(b) + ")";
+    return "segment " + std::to_string(segment_number(s)) + " (vertices " + point_number(a) + " and " + point_number(b) + ")";
   }
   /// "segment 4 (vertices 0 and 2, (0, 0) to (1, 1))".
   std::string placed_segment(std::size_t s) const {
     const auto [a, b] = pslg.segments[s];
-    return "segment " + std::to_string(segment_number(s)) + " (vertices " + point_number(a) + " and " +
-           point_number(b) + ", " + describe(pslg.points[a]) + " to " + describe(pslg.points[b]) + ")";
+    return "segment " + std::to_string(segment_number(s)) + " (vertices " + point_number(a) + " and " + point_number(b) + ", " +
+           describe(pslg.points[a]) + " to " + describe(pslg.points[b]) + ")";
   }
 };
 

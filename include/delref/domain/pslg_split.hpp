@@ -78,11 +78,13 @@ inline SplitPieces cut_segments(const CheckedPslg& checked, std::vector<Cut> cut
 inline std::string found_note(const CheckedPslg& checked, const std::vector<SegmentPair>& pairs) {
   ExampleList examples;
   for (const SegmentPair& pair : pairs) {
-    if (examples.full()) examples.add();
-    else examples.add(describe_crossing(checked.names(), pair).message);
+    if (examples.full())
+      examples.add();
+    else
+      examples.add(describe_crossing(checked.names(), pair).message);
   }
-  return count_of(pairs.size(), "pair of segments was", "pairs of segments were") + " split where they cross or overlap: " +
-         examples.text();
+  return count_of(pairs.size(), "pair of segments was", "pairs of segments were") +
+         " split where they cross or overlap: " + examples.text();
 }
 
 inline std::string made_note(std::size_t made, std::size_t shared, std::size_t conflicts) {
@@ -95,7 +97,8 @@ inline std::string made_note(std::size_t made, std::size_t shared, std::size_t c
 
 inline std::string snapped_note(const SnapRounded& snapped) {
   return "some segments lie so close that rounding the points where they cross makes them cross again: all vertices were rounded "
-         "to multiples of " + describe(snapped.spacing) + ", which moved " + std::to_string(snapped.moved) +
+         "to multiples of " +
+         describe(snapped.spacing) + ", which moved " + std::to_string(snapped.moved) +
          " of them by at most half that in each coordinate and made " + std::to_string(snapped.merged) + " one with another";
 }
 
@@ -105,7 +108,8 @@ inline std::string snapped_note(const SnapRounded& snapped) {
 }
 
 /// The graph snap rounded, with its notes. The pairs are those of `checked`.
-inline CheckedPslg snap(const CheckedPslg& checked, const std::vector<SegmentPair>& pairs, std::string found, const Control& control) {
+inline CheckedPslg snap(const CheckedPslg& checked, const std::vector<SegmentPair>& pairs, std::string found,
+                        const Control& control) {
   SnapRounded snapped = snap_rounded(checked, pairs, control);
   const std::size_t kept = checked.pslg.points.size() - snapped.merged;
   CheckedPslg& result = snapped.checked;
@@ -113,8 +117,9 @@ inline CheckedPslg snap(const CheckedPslg& checked, const std::vector<SegmentPai
   result.notes.push_back(snapped_note(snapped));
   result.notes.push_back(made_note(result.pslg.points.size() - kept, snapped.shared, snapped.conflicts));
   if (!crossing_pairs(result.pslg, {.pairs = 1, .tests = 1}, control).pairs.empty())
-    throw InvalidInput("segments that lie very close to each other could not be split where they cross: merge close vertices with "
-                       "a merge tolerance first");
+    throw InvalidInput(
+        "segments that lie very close to each other could not be split where they cross: merge close vertices with "
+        "a merge tolerance first");
   return std::move(result);
 }
 
@@ -126,8 +131,8 @@ inline CheckedPslg snap(const CheckedPslg& checked, const std::vector<SegmentPai
 /// segment have its marker and its `original_segment`; a piece that several segments share is there once, with the first marker
 /// that is not 0. Old vertices stay where they are and a piece lies within a few ulp (of the largest coordinate) of the segment
 /// that it is part of; only when segments lie within a few ulp of each other are all vertices rounded to a grid of less than
-/// 2^-48 of the largest coordinate, which a note tells. Requires what `check_pslg` gives. Throws `InvalidInput` when there are more
-/// crossings than the budget has vertices; `Interrupted` when the control says stop.
+/// 2^-48 of the largest coordinate, which a note tells. Requires what `check_pslg` gives. Throws `InvalidInput` when there are
+/// more crossings than the budget has vertices; `Interrupted` when the control says stop.
 inline CheckedPslg split_crossings(CheckedPslg checked, const Control& control) {
   constexpr int most_rounds = 8;
   constexpr std::size_t few = 16;

@@ -38,11 +38,11 @@ class SnapGrid {
 
   double spacing() const { return std::ldexp(1.0, exponent_); }
   /// The centre of the pixel of a point.
-  Point2 centre(Point2 p) const { return {centre(p.x), centre(p.y)}; }
+  Point2 centre(Point2 p) const { return {rounded(p.x), rounded(p.y)}; }
   /// The centre of the pixel in which two segments cross.
   Point2 centre_of_crossing(Ends2 a, Ends2 b) const {
     const auto [x, y] = exact_crossing(a, b);
-    return {centre(x), centre(y)};
+    return {rounded(x), rounded(y)};
   }
 
   /// True when the segment meets the pixel. Exact.
@@ -59,12 +59,12 @@ class SnapGrid {
   }
 
  private:
-  double centre(double coordinate) const {
+  double rounded(double coordinate) const {
     const double scaled = std::ldexp(coordinate, -exponent_);
     const double below = std::floor(scaled);
     return std::ldexp(scaled - below >= 0.5 ? below + 1 : below, exponent_);
   }
-  double centre(const CGAL::Exact_rational& coordinate) const {
+  double rounded(const CGAL::Exact_rational& coordinate) const {
     using Exact = CGAL::Exact_rational;
     const Exact spacing_exact(spacing());
     const Exact shifted = coordinate / spacing_exact + Exact(0.5);
@@ -81,16 +81,17 @@ class SnapGrid {
 struct SnapRounded {
   CheckedPslg checked;
   double spacing = 0;
-  std::size_t moved = 0;    ///< input vertices that moved
-  std::size_t merged = 0;   ///< input vertices that became one with an earlier one
-  std::size_t shared = 0;   ///< see `SplitPieces`
+  std::size_t moved = 0;   ///< input vertices that moved
+  std::size_t merged = 0;  ///< input vertices that became one with an earlier one
+  std::size_t shared = 0;  ///< see `SplitPieces`
   std::size_t conflicts = 0;
 };
 
 namespace snap_rounding {
 
 /// Finds the segments through each vertex's pixel. `points` are the centres.
-inline std::vector<Cut> find_cuts(const Pslg& pslg, const std::vector<Point2>& points, const SnapGrid& grid, const Control& control) {
+inline std::vector<Cut> find_cuts(const Pslg& pslg, const std::vector<Point2>& points, const SnapGrid& grid,
+                                  const Control& control) {
   using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, Pslg::Index>;
   const double half = grid.spacing() / 2;
   const auto box = [](Point2 a, Point2 b, double margin, Pslg::Index info) {
@@ -106,11 +107,12 @@ inline std::vector<Cut> find_cuts(const Pslg& pslg, const std::vector<Point2>& p
   }
   std::vector<Cut> cuts;
   std::size_t steps = 0;
-  CGAL::box_intersection_d(segments.begin(), segments.end(), pixels.begin(), pixels.end(), [&](const Box& segment, const Box& pixel) {
-    if (++steps % 1024 == 0) throw_if_stopped(control);
-    if (grid.meets(pslg_crossings::ends(pslg, segment.info()), points[pixel.info()]))
-      cuts.push_back({segment.info(), pixel.info()});
-  });
+  CGAL::box_intersection_d(segments.begin(), segments.end(), pixels.begin(), pixels.end(),
+                           [&](const Box& segment, const Box& pixel) {
+                             if (++steps % 1024 == 0) throw_if_stopped(control);
+                             if (grid.meets(pslg_crossings::ends(pslg, segment.info()), points[pixel.info()]))
+                               cuts.push_back({segment.info(), pixel.info()});
+                           });
   return cuts;
 }
 
@@ -124,8 +126,10 @@ inline void snap_points(SnapRounded& result, const Pslg& input, const SnapGrid& 
     pslg.points[v] = grid.centre(input.points[v]);
     if (pslg.points[v] != input.points[v]) ++result.moved;
     std::uint32_t& first = vertex_at[PairTable::key(pslg.points[v])];
-    if (first == PairTable::none) first = v;
-    else ++result.merged;
+    if (first == PairTable::none)
+      first = v;
+    else
+      ++result.merged;
     representative[v] = first;
   }
   pslg_merge::drop_points(result.checked, representative);
@@ -133,7 +137,8 @@ inline void snap_points(SnapRounded& result, const Pslg& input, const SnapGrid& 
   for (const SegmentPair& pair : pairs) {
     if (++steps % 256 == 0) throw_if_stopped(control);
     if (pair.contact != SegmentContact::crossing) continue;
-    const Point2 centre = grid.centre_of_crossing(pslg_crossings::ends(input, pair.first), pslg_crossings::ends(input, pair.second));
+    const Point2 centre =
+        grid.centre_of_crossing(pslg_crossings::ends(input, pair.first), pslg_crossings::ends(input, pair.second));
     std::uint32_t& vertex = vertex_at[PairTable::key(centre)];
     if (vertex != PairTable::none) continue;
     vertex = static_cast<std::uint32_t>(pslg.points.size());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Coarse buckets by priority: the lowest bucket first, last in first out within a bucket. A bucket spans a factor of two of the
-// priority, which is all the order that refinement profits from (Shewchuk's Triangle does the same by edge length); a total
-// order costs more than it gives.
+// Coarse buckets by priority: the lowest bucket first, first in first out within a bucket. Four buckets to a factor of two of the
+// priority is all the order that refinement profits from (benchmarks/results has the measurement; Shewchuk's Triangle keeps
+// buckets by edge length for the same reason); a total order costs more than it gives.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace delref {
 
-/// A refinement queue of 2,048 buckets, one per binary exponent of the priority.
+/// A refinement queue of 8,192 buckets, four per binary exponent of the priority.
 template <class T>
 class BucketQueue {
  public:
@@ -23,7 +23,7 @@ class BucketQueue {
     if (lists_[b] < 0) lists_[b] = pool_.make_list();
     mark(b);
     ++size_;
-    return pool_.insert_after(lists_[b], value);
+    return pool_.insert_after(pool_.last(lists_[b]), value);
   }
   QueuePosition front() const {
     std::size_t b = first_marked();
@@ -49,23 +49,26 @@ class BucketQueue {
   }
 
  private:
-  static constexpr std::size_t bucket_count = 2048;
+  static constexpr int mantissa_bits = 2;
+  static constexpr std::size_t bucket_count = std::size_t{2048} << mantissa_bits;
+  static constexpr std::size_t word_count = bucket_count / 64;
 
-  /// The exponent field of the double: monotonic for priorities >= 0.
+  /// The exponent of the double and the first bits of its mantissa: monotonic for priorities >= 0.
   static std::size_t bucket_of(double priority) {
-    return static_cast<std::size_t>(std::bit_cast<std::uint64_t>(std::max(priority, 0.0)) >> 52);
+    return static_cast<std::size_t>(std::bit_cast<std::uint64_t>(std::max(priority, 0.0)) >> (52 - mantissa_bits));
   }
   // A bit per bucket that may be non-empty, and a bit per word of those.
   void mark(std::size_t b) {
     words_[b / 64] |= std::uint64_t{1} << (b % 64);
-    summary_ |= std::uint64_t{1} << (b / 64);
+    summary_[b / 4096] |= std::uint64_t{1} << (b / 64 % 64);
   }
   void unmark(std::size_t b) const {
     words_[b / 64] &= ~(std::uint64_t{1} << (b % 64));
-    if (words_[b / 64] == 0) summary_ &= ~(std::uint64_t{1} << (b / 64));
+    if (words_[b / 64] == 0) summary_[b / 4096] &= ~(std::uint64_t{1} << (b / 64 % 64));
   }
   std::size_t first_marked() const {
-    const auto w = static_cast<std::size_t>(std::countr_zero(summary_));
+    const std::size_t half = summary_[0] != 0 ? 0 : 1;
+    const std::size_t w = half * 64 + static_cast<std::size_t>(std::countr_zero(summary_[half]));
     return w * 64 + static_cast<std::size_t>(std::countr_zero(words_[w]));
   }
   static constexpr std::array<QueuePosition, bucket_count> no_lists() {
@@ -76,8 +79,8 @@ class BucketQueue {
 
   EntryPool<T> pool_;
   std::array<QueuePosition, bucket_count> lists_ = no_lists();
-  mutable std::array<std::uint64_t, bucket_count / 64> words_{};
-  mutable std::uint64_t summary_ = 0;
+  mutable std::array<std::uint64_t, word_count> words_{};
+  mutable std::array<std::uint64_t, word_count / 64> summary_{};
   std::size_t size_ = 0;
 };
 
