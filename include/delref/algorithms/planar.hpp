@@ -89,7 +89,7 @@ PlanarResult mesh_planar(Pslg input, const PlanarOptions& options, const Control
   };
   result.outcome = options.encroachment == Encroachment::lens ? with_points(DiametralLens{options.min_angle}) : with_points(DiametralCircle{});
 
-  excuse_small_angles(result.outcome, tr, domain, MinimumAngle::name);
+  if (!result.outcome.unmet.empty()) SmallAngleExcuses(tr, domain).apply(result.outcome, MinimumAngle::name);
   std::vector<std::string> names;
   for (const LevelCounts& level : result.outcome.levels) names.push_back(level.name);
   result.mesh = extract_planar_mesh(tr, domain, std::move(names));

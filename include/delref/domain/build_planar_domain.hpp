@@ -102,6 +102,7 @@ class PlanarDomainBuilder {
     }
     for (std::size_t s = 0; s < segments.size(); ++s)
       if (!name_parts(s)) refuse_crossings();
+    domain_.index_segments();
   }
 
   [[noreturn]] void refuse_crossings() {
@@ -227,11 +228,17 @@ class PlanarDomainBuilder {
       const Vector2 u = tr_.point(tr_.target(a)) - tr_.point(v), w = tr_.point(tr_.target(b)) - tr_.point(v);
       const double d = dot(u, w);
       if (cross(u, w) < 0 || d <= 0 || 4 * d * d <= (1 + 1e-12) * squared_length(u) * squared_length(w)) continue;
-      for (const Edge e : {a, b}) {
-        PlanarDomain::Segment& s = domain_.segments[tr_.segment(e)];
-        s.sharp[s.ends[0] == tr_.carrier(v).index ? 0 : 1] = true;
-      }
+      const bool is_tiny = d >= PlanarDomain::tiny_angle_cosine * std::sqrt(squared_length(u) * squared_length(w));
+      mark_sharp(a, v, is_tiny ? std::sqrt(squared_length(w)) : 0);
+      mark_sharp(b, v, is_tiny ? std::sqrt(squared_length(u)) : 0);
     }
+  }
+
+  void mark_sharp(Edge e, Vertex corner, double reach) {
+    PlanarDomain::Segment& s = domain_.segments[tr_.segment(e)];
+    const std::size_t end = s.ends[0] == tr_.carrier(corner).index ? 0 : 1;
+    s.sharp[end] = true;
+    s.reach[end] = std::max(s.reach[end], reach);
   }
 
   // -- what there is nothing to mesh in

@@ -35,7 +35,9 @@ class PolygonRows {
   /// `sides` are pairs of a segment and a polygon that it bounds, sorted; a pair may be there more than once.
   PolygonRows(const std::vector<Point2>& points, const std::vector<std::array<Pslg::Index, 2>>& segments,
               const std::vector<std::pair<Index, Index>>& sides, std::size_t polygon_count)
-      : points_(points), segments_(segments), sides_(sides), inside_(polygon_count, false) {
+      : points_(points), segments_(segments), sides_(sides), inside_(polygon_count, false), first_side_(segments.size() + 1, 0) {
+    for (const auto& [segment, polygon] : sides_) ++first_side_[segment + 1];
+    std::partial_sum(first_side_.begin(), first_side_.end(), first_side_.begin());
     for (const Point2& p : points_) {
       low_ = std::min(low_, p.y);
       high_ = std::max(high_, p.y);
@@ -107,18 +109,17 @@ class PolygonRows {
     std::size_t cover = 0;
     const auto inside = [&](Index polygon) { return inside_[polygon]; };
     for (std::size_t i = 0; i < crossings_.size(); ++i) {
-      const auto [first, last] = std::ranges::equal_range(sides_, crossings_[i].segment, {}, &std::pair<Index, Index>::first);
-      for (auto side = first; side != last; ++side) {
-        inside_[side->second] = !inside_[side->second];
-        cover = inside_[side->second] ? cover + 1 : cover - 1;
+      for (std::size_t side = first_side_[crossings_[i].segment]; side != first_side_[crossings_[i].segment + 1]; ++side) {
+        const Index polygon = sides_[side].second;
+        inside_[polygon] = !inside_[polygon];
+        cover = inside_[polygon] ? cover + 1 : cover - 1;
       }
       if (i + 1 == crossings_.size()) break;
       visit(Interval{crossings_[i].x, crossings_[i + 1].x, half_edge(crossings_[i].segment, false), half_edge(crossings_[i + 1].segment, true), cover},
             inside);
     }
     for (const Crossing& c : crossings_) {
-      const auto [first, last] = std::ranges::equal_range(sides_, c.segment, {}, &std::pair<Index, Index>::first);
-      for (auto side = first; side != last; ++side) inside_[side->second] = false;
+      for (std::size_t side = first_side_[c.segment]; side != first_side_[c.segment + 1]; ++side) inside_[sides_[side].second] = false;
     }
   }
   Index half_edge(Index segment, bool upwards) const {
@@ -130,6 +131,7 @@ class PolygonRows {
   const std::vector<std::array<Pslg::Index, 2>>& segments_;
   const std::vector<std::pair<Index, Index>>& sides_;
   std::vector<bool> inside_;
+  std::vector<std::size_t> first_side_;  ///< per segment, in sides_
   std::vector<std::vector<Index>> rows_;
   std::vector<Crossing> crossings_;
   double low_ = std::numeric_limits<double>::infinity(), high_ = -std::numeric_limits<double>::infinity();

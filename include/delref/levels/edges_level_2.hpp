@@ -57,14 +57,18 @@ class EdgesLevel2 {
 
   Point2 refinement_point(const Tr& tr, const Element& e) const {
     const std::size_t s = tr.segment(e);
-    return split_point(tr.point(tr.source(e)), tr.point(tr.target(e)), domain_->point(s, 0), domain_->point(s, 1), near_corner(tr, e));
+    const Point2 a = tr.point(tr.source(e)), b = tr.point(tr.target(e));
+    auto corner = domain_->shell_corner(s, midpoint(a, b));
+    if (!corner) corner = sharp_end(tr, e);
+    if (corner) return split_point_near_corner(a, b, domain_->point(s, *corner), domain_->point(s, 1 - *corner));
+    return split_point(a, b, domain_->point(s, 0), domain_->point(s, 1));
   }
   Carrier carrier(const Tr& tr, const Element& e) const { return {1, static_cast<std::uint32_t>(tr.segment(e))}; }
 
   std::optional<Reason> give_up(const Tr& tr, const Element& e) const {
     if (is_protected(tr, e)) return Reason::protected_segment;
     const double floor = options_.smallest_edge;
-    if (squared_length(tr, e) <= floor * floor) return Reason::size_floor;
+    if (floor > 0 && squared_length(tr, e) <= floor * floor) return Reason::size_floor;
     return std::nullopt;
   }
   void on_rejected_forever(Tr& tr, const Element& e, Reason) { set_.give_up(tr, e); }
@@ -74,7 +78,7 @@ class EdgesLevel2 {
   Location<Tr> conflict_zone(Tr& tr, const Element& e, Point2 p, typename Tr::Zone& zone) {
     free_vertices_.clear();
     if constexpr (Policy::deletes_free_vertices) {
-      if (near_corner(tr, e) == End::none) {
+      if (!sharp_end(tr, e)) {
         collect_free_vertices(tr, e);
         collect_free_vertices(tr, tr.mirror(e));
       }
@@ -111,7 +115,13 @@ class EdgesLevel2 {
  private:
   /// Queues `e` when the apex on its side encroaches it.
   void test(Tr& tr, const Element& e) {
-    if (tr.in_domain(tr.face(e)) && policy_.encroaches(tr, e, tr.point(tr.apex(e)))) set_.add(tr, e, squared_length(tr, e));
+    if (!tr.in_domain(tr.face(e))) return;
+    const typename Tr::Vertex v = tr.apex(e);
+    if (!policy_.encroaches(tr, e, tr.point(v))) return;
+    const std::size_t s = tr.segment(e);
+    for (const auto end : tr.vertices(e))
+      if (domain_->are_on_one_shell(tr.carrier(v), tr.point(v), s, tr.point(end))) return;
+    set_.add(tr, e, squared_length(tr, e));
   }
   static double squared_length(const Tr& tr, const Element& e) { return squared_distance(tr.point(tr.source(e)), tr.point(tr.target(e))); }
 
@@ -133,15 +143,13 @@ class EdgesLevel2 {
     return Verdict::rejected;
   }
 
-  /// The end of the subsegment at which its segment has a sharp corner.
-  End near_corner(const Tr& tr, const Element& e) const {
+  /// The sharp end of its segment at which the subsegment ends, if it does.
+  std::optional<std::size_t> sharp_end(const Tr& tr, const Element& e) const {
     const PlanarDomain::Segment& s = domain_->segments[tr.segment(e)];
-    const auto is_corner = [&](typename Tr::Vertex v) {
-      const Carrier c = tr.carrier(v);
-      return c.dimension == 0 && ((s.sharp[0] && c.index == s.ends[0]) || (s.sharp[1] && c.index == s.ends[1]));
-    };
-    if (is_corner(tr.source(e))) return End::source;
-    return is_corner(tr.target(e)) ? End::target : End::none;
+    for (const auto v : tr.vertices(e))
+      for (std::size_t end = 0; end < 2; ++end)
+        if (s.sharp[end] && tr.carrier(v) == Carrier{0, s.ends[end]}) return end;
+    return std::nullopt;
   }
 
   /// The free vertices in the diametral circle of `e`, on the side of its face: those that are reached from `e` through edges that

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where a subsegment is split: in the middle, or at a power of two from a sharp corner, so that all segments of the corner are
-// split on the same circles (Ruppert 1995, section 6: concentric shells).
+// Where a subsegment is split: in the middle, or, on a segment with a sharp corner, where all segments of that corner are split
+// too. After Ruppert's concentric shells at powers of two (1995, section 6), here at every distance from the corner.
 #pragma once
 
 #include <algorithm>
@@ -11,14 +11,13 @@
 
 namespace delref {
 
-/// An end of an edge.
-enum class End : unsigned char { none, source, target };
-
-/// The share of a length at which it is split so that the first part is a power of two: between a third and two thirds.
-inline double shell_ratio(double length) {
-  int exponent = 0;
-  const double ratio = 0.5 / std::frexp(length, &exponent);  // the power of two in (length / 2, length]
-  return ratio > 2.0 / 3 ? ratio / 2 : ratio;
+/// The multiple of the greatest power of two between `low` and `high`, where 0 <= low < high: of all numbers there the one with the
+/// fewest binary digits. Segments that share a corner and choose their split points so choose the same ones.
+inline double simplest_between(double low, double high) {
+  double step = std::exp2(std::floor(std::log2(high - low)));
+  double best = std::ceil(low / step) * step;
+  for (double coarser = 2 * step; std::ceil(low / coarser) * coarser <= high; coarser *= 2) best = std::ceil(low / coarser) * coarser;
+  return best;
 }
 
 /// The point of the line through `p` and `q` whose greater coordinate, by the line's direction, is that of `m`. Off the line by half
@@ -29,12 +28,25 @@ inline Point2 onto_line(Point2 m, Point2 p, Point2 q) {
   return {static_cast<double>(p.x + (m.y - static_cast<long double>(p.y)) * (dx / dy)), m.y};
 }
 
-/// The split point of the subsegment from `source` to `target` on the segment from `p` to `q`.
-inline Point2 split_point(Point2 source, Point2 target, Point2 p, Point2 q, End corner) {
-  if (corner == End::none) return onto_line(midpoint(source, target), p, q);
-  if (corner == End::target) std::swap(source, target);
-  const Vector2 along = target - source;
-  return onto_line(source + shell_ratio(std::hypot(along.x, along.y)) * along, p, q);
+/// Whether `m` is strictly between `a` and `b` by the greater coordinate of the line's direction.
+inline bool is_between(Point2 m, Point2 a, Point2 b, Vector2 along) {
+  return std::abs(along.x) >= std::abs(along.y) ? std::min(a.x, b.x) < m.x && m.x < std::max(a.x, b.x)
+                                                : std::min(a.y, b.y) < m.y && m.y < std::max(a.y, b.y);
+}
+
+/// The split point of the subsegment from `a` to `b` of the segment from `p` to `q`: its middle. `a` when no double is between.
+inline Point2 split_point(Point2 a, Point2 b, Point2 p, Point2 q) {
+  const Point2 m = onto_line(midpoint(a, b), p, q);
+  return is_between(m, a, b, q - p) ? m : a;
+}
+
+/// The same for a segment with a sharp corner at `p`: the simplest distance from `p` in the middle third.
+inline Point2 split_point_near_corner(Point2 a, Point2 b, Point2 p, Point2 q) {
+  const auto distance = [&](Point2 x) { return std::hypot(x.x - p.x, x.y - p.y); };
+  const double from = std::min(distance(a), distance(b)), to = std::max(distance(a), distance(b));
+  const double at = simplest_between(from + (to - from) / 3, to - (to - from) / 3);
+  const Point2 m = onto_line(p + (at / distance(q)) * (q - p), p, q);
+  return is_between(m, a, b, q - p) ? m : split_point(a, b, p, q);
 }
 
 }  // namespace delref

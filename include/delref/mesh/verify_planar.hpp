@@ -121,10 +121,11 @@ class PlanarVerification {
     const Subject& s = subject_;
     const char* not_asked = "promised only with encroachment by circles";
     check(all_checks[16], [&](Finding& f) { check_constrained_delaunay(s, *topology_, *chains_, f); });
+    const SmallAngles small_angles(s, *domain_, *chains_);
     check_if(criteria_.circle, all_checks[17], not_asked,
-             [&](Finding& f) { check_conforming_delaunay(s, *topology_, *chains_, shortfalls_, f); });
+             [&](Finding& f) { check_conforming_delaunay(s, *topology_, *chains_, small_angles, shortfalls_, f); });
     check_if(criteria_.circle, all_checks[18], not_asked,
-             [&](Finding& f) { check_encroachment(s, *topology_, *chains_, shortfalls_, f); });
+             [&](Finding& f) { check_encroachment(s, *topology_, *chains_, small_angles, shortfalls_, f); });
   }
 
   void criteria() {

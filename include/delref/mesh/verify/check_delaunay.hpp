@@ -12,6 +12,7 @@
 #include <delref/mesh/verify/chains.hpp>
 #include <delref/mesh/verify/report.hpp>
 #include <delref/mesh/verify/shortfall.hpp>
+#include <delref/mesh/verify/small_angles.hpp>
 
 namespace delref::verification {
 
@@ -34,14 +35,17 @@ inline void check_constrained_delaunay(const Subject& s, const MeshTopology& top
   }
 }
 
-/// Subsegments are locally Delaunay too.
-inline void check_conforming_delaunay(const Subject& s, const MeshTopology& topology, const Chains& chains, Shortfalls& shortfalls,
-                                      Finding& finding) {
+/// Subsegments are locally Delaunay too, but where only rounding at a tiny input angle is in the way.
+inline void check_conforming_delaunay(const Subject& s, const MeshTopology& topology, const Chains& chains,
+                                      const SmallAngles& small_angles, Shortfalls& shortfalls, Finding& finding) {
   for (Index i = 0; i < topology.edges().size(); ++i) {
     const MeshTopology::Edge& e = topology.edges()[i];
     if (chains.piece_of_edge(i) == none) continue;
     ++finding.examined;
     if (!locally_not_delaunay(s, topology, e)) continue;
+    if (small_angles.excuse_encroachment(e.a, e.b, topology.apex(e.forward)) ||
+        small_angles.excuse_encroachment(e.a, e.b, topology.apex(e.back)))
+      continue;
     const Point2 a = s.points[e.a], b = s.points[e.b];
     if (!shortfalls.settle(midpoint(a, b), std::sqrt(squared_distance(a, b))))
       finding.fail([&] { return "subsegment " + s.edge(e.a, e.b) + " is not Delaunay"; });
@@ -49,13 +53,14 @@ inline void check_conforming_delaunay(const Subject& s, const MeshTopology& topo
 }
 
 /// No corner lies strictly inside the diametral circle of the subsegment that it faces, that is, sees it under an obtuse angle.
-/// The slack is 1e-12 in the cosine. (In a constrained Delaunay triangulation no other visible vertex need be looked at.)
-inline void check_encroachment(const Subject& s, const MeshTopology& topology, const Chains& chains, Shortfalls& shortfalls,
-                               Finding& finding) {
+/// The slack is 1e-12 in the cosine, and tiny input angles are excused. (In a constrained Delaunay triangulation no other visible vertex need be looked at.)
+inline void check_encroachment(const Subject& s, const MeshTopology& topology, const Chains& chains,
+                               const SmallAngles& small_angles, Shortfalls& shortfalls, Finding& finding) {
   const auto inside = [&](const MeshTopology::Edge& e, Index half_edge) {
     if (half_edge == none) return false;
     const Point2 p = s.points[topology.apex(half_edge)], a = s.points[e.a], b = s.points[e.b];
-    return precise_dot(p, a, b) < -1e-12 * std::sqrt(squared_distance(p, a)) * std::sqrt(squared_distance(p, b));
+    return precise_dot(p, a, b) < -1e-12 * std::sqrt(squared_distance(p, a)) * std::sqrt(squared_distance(p, b)) &&
+           !small_angles.excuse_encroachment(e.a, e.b, topology.apex(half_edge));
   };
   for (Index i = 0; i < topology.edges().size(); ++i) {
     const MeshTopology::Edge& e = topology.edges()[i];

@@ -39,6 +39,16 @@ class SmallAngles {
     return bridges(corners[(k + 1) % 3], corners[(k + 2) % 3]);
   }
 
+  /// Whether the encroachment of a vertex on the subsegment from a to b is no more than rounding where two segments meet at a tiny
+  /// angle: it is next to an end of the subsegment, nearer than a ten thousandth of the subsegment's length, on another segment that
+  /// meets this one at a small angle.
+  bool excuse_encroachment(Index a, Index b, Index vertex) const {
+    const double reach = 1e-8 * squared_distance(subject_.points[a], subject_.points[b]);
+    for (const Index end : {a, b})
+      if (squared_distance(subject_.points[vertex], subject_.points[end]) <= reach && bridges(vertex, end)) return true;
+    return false;
+  }
+
  private:
   Index other_end(const Piece& piece, Index vertex) const { return piece.from == vertex ? piece.to : piece.from; }
 

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <delref/io/vtu_reader.hpp>
+
+#include "survive.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text = delref_fuzz::text_of(data, size);
+  delref_fuzz::survive([&] { delref_fuzz::require_sound(delref::parse_vtu(std::string(text), "fuzz.vtu")); });
+  return 0;
+}
