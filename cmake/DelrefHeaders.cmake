@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: MIT
+#
+# The public headers of each library, relative to include/. After adding or removing one, run
+#   cmake -P cmake/list_headers.cmake
+
+# The frame: no CGAL, MIT.
+set(delref_core_headers
+    delref/core/budget.hpp
+    delref/core/carrier.hpp
+    delref/core/level_concepts.hpp
+    delref/core/level_options.hpp
+    delref/core/mesher.hpp
+    delref/core/observer.hpp
+    delref/core/outcome.hpp
+    delref/core/point.hpp
+    delref/core/proposal.hpp
+    delref/core/queue/bucket_queue.hpp
+    delref/core/queue/element_set.hpp
+    delref/core/queue/entry_pool.hpp
+    delref/core/queue/fifo_queue.hpp
+    delref/core/queue/lifo_queue.hpp
+    delref/core/queue/refinement_queue.hpp
+    delref/core/triangulation_concept.hpp
+    delref/core/verdict.hpp
+    delref/testing/law_book.hpp
+    delref/testing/laws.hpp
+    delref/testing/run_trace.hpp
+    delref/testing/watched_level.hpp)
+
+# Planar meshing.
+set(delref_headers
+    delref/algorithms/excuse_small_angles.hpp
+    delref/algorithms/extract_planar_mesh.hpp
+    delref/algorithms/planar.hpp
+    delref/algorithms/planar_levels.hpp
+    delref/algorithms/planar_options.hpp
+    delref/algorithms/planar_refinement.hpp
+    delref/criteria/angle_bound.hpp
+    delref/criteria/point_sizing.hpp
+    delref/criteria/sizing_field.hpp
+    delref/criteria/triangle_criteria.hpp
+    delref/criteria/triangle_shape.hpp
+    delref/domain/bounding_box.hpp
+    delref/domain/build_planar_domain.hpp
+    delref/domain/chain_line.hpp
+    delref/domain/crossing_sweep.hpp
+    delref/domain/describe.hpp
+    delref/domain/exact_side.hpp
+    delref/domain/extend_planar_domain.hpp
+    delref/domain/insert_planar_graph.hpp
+    delref/domain/invalid_input.hpp
+    delref/domain/label_planar_domain.hpp
+    delref/domain/merge_points.hpp
+    delref/domain/pair_table.hpp
+    delref/domain/planar_domain.hpp
+    delref/domain/pslg.hpp
+    delref/domain/pslg_check.hpp
+    delref/domain/pslg_crossings.hpp
+    delref/domain/pslg_defects.hpp
+    delref/domain/pslg_merge.hpp
+    delref/domain/pslg_names.hpp
+    delref/domain/pslg_scale.hpp
+    delref/domain/pslg_split.hpp
+    delref/domain/segment_contact.hpp
+    delref/domain/snap_rounding.hpp
+    delref/domain/split_pieces.hpp
+    delref/domain/unite_pslg.hpp
+    delref/domain/walk_along.hpp
+    delref/levels/edges_level_2.hpp
+    delref/levels/encroachment.hpp
+    delref/levels/faces_level_2.hpp
+    delref/levels/point_choice.hpp
+    delref/levels/split_point.hpp
+    delref/mesh/planar_mesh.hpp
+    delref/mesh/quality.hpp
+    delref/mesh/quality_table.hpp
+    delref/mesh/scaling.hpp
+    delref/mesh/triangle_measures.hpp
+    delref/mesh/twofold.hpp
+    delref/mesh/verify/chains.hpp
+    delref/mesh/verify/check_criteria.hpp
+    delref/mesh/verify/check_delaunay.hpp
+    delref/mesh/verify/check_segments.hpp
+    delref/mesh/verify/check_structure.hpp
+    delref/mesh/verify/check_tiling.hpp
+    delref/mesh/verify/criteria.hpp
+    delref/mesh/verify/input_domain.hpp
+    delref/mesh/verify/nearest_point.hpp
+    delref/mesh/verify/report.hpp
+    delref/mesh/verify/shortfall.hpp
+    delref/mesh/verify/small_angles.hpp
+    delref/mesh/verify/subject.hpp
+    delref/mesh/verify/topology.hpp
+    delref/mesh/verify_planar.hpp
+    delref/triangulation/constrained_delaunay_2.hpp
+    delref/triangulation/detail/constrained_delaunay_2_zone.hpp
+    delref/triangulation/detail/planar_records.hpp
+    delref/triangulation/detail/range_of.hpp
+    delref/triangulation/planar_concept.hpp)
+
+# File formats.
+set(delref_io_headers
+    delref/io/base64.hpp
+    delref/io/colours.hpp
+    delref/io/file.hpp
+    delref/io/geojson.hpp
+    delref/io/json.hpp
+    delref/io/medit.hpp
+    delref/io/msh.hpp
+    delref/io/msh_reader.hpp
+    delref/io/off.hpp
+    delref/io/physical_tags.hpp
+    delref/io/planar_formats.hpp
+    delref/io/polygon_faces.hpp
+    delref/io/polygon_rows.hpp
+    delref/io/polygons.hpp
+    delref/io/report.hpp
+    delref/io/report_json.hpp
+    delref/io/smallest_angles.hpp
+    delref/io/svg.hpp
+    delref/io/svg_path.hpp
+    delref/io/text_scanner.hpp
+    delref/io/text_sink.hpp
+    delref/io/triangle_mesh.hpp
+    delref/io/triangle_poly.hpp
+    delref/io/vtu.hpp
+    delref/io/vtu_reader.hpp)
