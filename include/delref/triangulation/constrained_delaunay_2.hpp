@@ -87,13 +87,14 @@ class ConstrainedDelaunay2 {
    private:
     friend class ConstrainedDelaunay2;
     void clear() {
-      dying_.clear(), dying_subsegments_.clear(), boundary_.clear(), regions_.clear(), vanishing_.clear(), new_.clear();
+      dying_.clear(), dying_subsegments_.clear(), boundary_.clear(), vanishing_.clear(), new_.clear();
       split_ = {};
       split_segment_ = -1;
     }
     std::vector<Face> dying_, new_;
     std::vector<Edge> dying_subsegments_, boundary_;
-    std::vector<std::int32_t> regions_;  // of the dying face at each boundary edge
+    int regions_[2] = {};            // of the dying faces on the two sides of the split edge; of all of them if none is split
+    std::size_t second_side_ = 0;    // the number of boundary edges on the first side
     std::vector<Vertex> vanishing_;
     std::vector<Edge> stack_;
     Edge split_{};                   // the edge that the point splits, if its face is set
@@ -230,7 +231,7 @@ class ConstrainedDelaunay2 {
   }
   /// Whether `p` kills the face `f`, were it visible.
   bool in_conflict(CgalFace f, const typename Kernel::Point_2& p) const {
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < 3 && f->region() < 0; ++i)
       if (cgal_.is_infinite(f->vertex(i)))
         return orientation(f->vertex(Cgal::ccw(i)), f->vertex(Cgal::cw(i)), p) == CGAL::LEFT_TURN;
     return cgal_.geom_traits().side_of_oriented_circle_2_object()(f->vertex(0)->point(), f->vertex(1)->point(),
@@ -246,8 +247,8 @@ class ConstrainedDelaunay2 {
     f->set_dying(true);
     zone.dying_.push_back({f});
   }
-  void grow(const typename Kernel::Point_2& p, Zone& zone);
-  void seed_split(Edge e, Zone& zone);
+  void grow(const typename Kernel::Point_2& p, Edge through, Zone& zone);
+  void grow_from_split(const typename Kernel::Point_2& p, Edge e, Zone& zone);
   bool is_star_shaped(const typename Kernel::Point_2& p, const Zone& zone) const;
   bool add_stars(std::span<const Vertex> vanishing, Zone& zone);
   void remove_vanishing(Point2 p, Zone& zone);

@@ -25,30 +25,27 @@ class EntryPool {
   }
   bool is_empty(QueuePosition list) const { return entry(list).next == list; }
   QueuePosition first(QueuePosition list) const { return entry(list).next; }
-  QueuePosition last(QueuePosition list) const { return entry(list).previous; }
   QueuePosition next(QueuePosition position) const { return entry(position).next; }
 
   T& value(QueuePosition position) { return entry(position).value; }
   const T& value(QueuePosition position) const { return entry(position).value; }
 
-  /// Puts a new entry after `before`, which is an entry or a list.
-  QueuePosition insert_after(QueuePosition before, const T& value) {
+  /// Puts a new entry before `after`, which is an entry or a list; before a list is at its end.
+  QueuePosition insert_before(QueuePosition after, const T& value) {
     const QueuePosition position = allocate();
-    Entry& e = entry(position);
-    Entry& b = entry(before);
-    e.value = value;
-    e.previous = before;
-    e.next = b.next;
-    entry(b.next).previous = position;
-    b.next = position;
+    entry(position).value = value;
+    link_before(after, position);
     return position;
+  }
+  /// Takes an entry out of its list and puts it there instead.
+  void move_before(QueuePosition after, QueuePosition position) {
+    unlink(position);
+    link_before(after, position);
   }
 
   void erase(QueuePosition position) {
-    Entry& e = entry(position);
-    entry(e.previous).next = e.next;
-    entry(e.next).previous = e.previous;
-    e.next = free_;
+    unlink(position);
+    entry(position).next = free_;
     free_ = position;
   }
 
@@ -59,6 +56,19 @@ class EntryPool {
   };
   static constexpr std::size_t block_bits = 12;
   using Block = std::array<Entry, std::size_t{1} << block_bits>;
+
+  void link_before(QueuePosition after, QueuePosition position) {
+    Entry &e = entry(position), &a = entry(after);
+    e.next = after;
+    e.previous = a.previous;
+    entry(a.previous).next = position;
+    a.previous = position;
+  }
+  void unlink(QueuePosition position) {
+    const Entry& e = entry(position);
+    entry(e.previous).next = e.next;
+    entry(e.next).previous = e.previous;
+  }
 
   Entry& entry(QueuePosition p) {
     const auto i = static_cast<std::size_t>(p);

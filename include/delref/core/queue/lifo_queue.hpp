@@ -13,7 +13,7 @@ class LifoQueue {
  public:
   QueuePosition push(const T& value, double /*priority*/) {
     ++size_;
-    return pool_.insert_after(list_, value);
+    return pool_.insert_before(pool_.first(list_), value);
   }
   QueuePosition front() const { return pool_.first(list_); }
   T& at(QueuePosition position) { return pool_.value(position); }

@@ -24,7 +24,7 @@ template <class Q, class T>
 concept RefinementQueue = std::default_initializable<Q> && std::movable<Q> &&
     requires(Q& q, const Q& cq, const T& value, double priority, QueuePosition position, void (*f)(const T&)) {
       { q.push(value, priority) } -> std::same_as<QueuePosition>;
-      { cq.front() } -> std::same_as<QueuePosition>;
+      { q.front() } -> std::same_as<QueuePosition>;
       { q.at(position) } -> std::same_as<T&>;
       q.erase(position);
       { cq.empty() } -> std::same_as<bool>;

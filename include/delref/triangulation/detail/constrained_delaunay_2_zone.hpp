@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include <delref/triangulation/constrained_delaunay_2.hpp>
+
 namespace delref {
 
 /// Walks along the line from the middle of `start` to `p`, so that the constraint it is stopped by is one that hides `p` from
@@ -26,7 +28,15 @@ auto ConstrainedDelaunay2<EdgeSlots, FaceSlots>::walk(const typename Kernel::Poi
     exit = left(n->vertex(entry)) ? Cgal::ccw(entry) : Cgal::cw(entry);
     found = n;
   }
-  return approach(p, found);
+  // Unless rounding may have put the middle outside of its face, the line tells that `p` is inside the face found.
+  const Vector2 u = point(corners[1]) - point(corners[0]), w = point(corners[2]) - point(corners[0]);
+  if (exit == 3 || cross(u, w) < 1e-9 * (squared_length(u) + squared_length(w))) return approach(p, found);
+  for (int i = 0; i < 3; ++i) {
+    if (found->vertex(i)->point() == p) return {Where::Kind::on_vertex, {}};
+    if (found->segment(i) >= 0 && orientation(found->vertex(Cgal::ccw(i)), found->vertex(Cgal::cw(i)), p) != CGAL::LEFT_TURN)
+      return {Where::Kind::blocked, Edge{found, i}};
+  }
+  return {};
 }
 
 /// Makes sure that `p` is in the closure of `f`, which it is unless the line started outside its face by rounding; then goes on
@@ -50,29 +60,29 @@ auto ConstrainedDelaunay2<EdgeSlots, FaceSlots>::approach(const typename Kernel:
   return {Where::Kind::degenerate, {}};
 }
 
-/// Takes the neighbours in conflict, depth first, each from its entry edge in counterclockwise order: the boundary edges come out
-/// in their order around the zone. The stack holds edges still to be crossed, named from inside.
+/// Takes the faces in conflict beyond the edge `through`, which is named from inside: depth first, each face from its entry edge in
+/// counterclockwise order, so that the boundary edges come out in their order around the zone.
 template <int EdgeSlots, int FaceSlots>
-void ConstrainedDelaunay2<EdgeSlots, FaceSlots>::grow(const typename Kernel::Point_2& p, Zone& zone) {
-  while (!zone.stack_.empty()) {
-    const Edge e = zone.stack_.back();
-    zone.stack_.pop_back();
-    const CgalFace n = e.face->neighbor(e.index);
-    const int entry = n->index(e.face);
-    if (e.face->segment(e.index) < 0 && !n->dying() && in_conflict(n, p)) {
+void ConstrainedDelaunay2<EdgeSlots, FaceSlots>::grow(const typename Kernel::Point_2& p, Edge through, Zone& zone) {
+  while (true) {
+    const CgalFace n = through.face->neighbor(through.index);
+    const int entry = n->index(through.face);
+    if (through.face->segment(through.index) < 0 && !n->dying() && in_conflict(n, p)) {
       take(n, zone);
       zone.stack_.push_back({n, Cgal::cw(entry)});
-      zone.stack_.push_back({n, Cgal::ccw(entry)});
-    } else {
-      zone.boundary_.push_back({n, entry});
-      zone.regions_.push_back(e.face->region());
+      through = {n, Cgal::ccw(entry)};
+      continue;
     }
+    zone.boundary_.push_back({n, entry});
+    if (zone.stack_.empty()) return;
+    through = zone.stack_.back();
+    zone.stack_.pop_back();
   }
 }
 
-/// Both faces of `e` die, and so does `e`.
+/// Both faces of `e` die, and so does `e`; the zone grows from both.
 template <int EdgeSlots, int FaceSlots>
-void ConstrainedDelaunay2<EdgeSlots, FaceSlots>::seed_split(Edge e, Zone& zone) {
+void ConstrainedDelaunay2<EdgeSlots, FaceSlots>::grow_from_split(const typename Kernel::Point_2& p, Edge e, Zone& zone) {
   const Edge m = mirror(e);
   take(e.face, zone);
   take(m.face, zone);
@@ -80,11 +90,14 @@ void ConstrainedDelaunay2<EdgeSlots, FaceSlots>::seed_split(Edge e, Zone& zone) 
   zone.split_ends_[0] = source(e).handle;
   zone.split_ends_[1] = target(e).handle;
   zone.split_segment_ = e.face->segment(e.index);
+  zone.regions_[0] = e.face->region();
+  zone.regions_[1] = m.face->region();
   if (zone.split_segment_ >= 0) zone.dying_subsegments_.push_back(e);
-  zone.stack_.push_back({m.face, Cgal::cw(m.index)});
-  zone.stack_.push_back({m.face, Cgal::ccw(m.index)});
-  zone.stack_.push_back({e.face, Cgal::cw(e.index)});
-  zone.stack_.push_back({e.face, Cgal::ccw(e.index)});
+  grow(p, {e.face, Cgal::ccw(e.index)}, zone);
+  grow(p, {e.face, Cgal::cw(e.index)}, zone);
+  zone.second_side_ = zone.boundary_.size();
+  grow(p, {m.face, Cgal::ccw(m.index)}, zone);
+  grow(p, {m.face, Cgal::cw(m.index)}, zone);
 }
 
 template <int EdgeSlots, int FaceSlots>
@@ -104,8 +117,9 @@ auto ConstrainedDelaunay2<EdgeSlots, FaceSlots>::conflict_zone(Point2 point, con
   if (const Where where = walk(p, hint.face, f); where.kind != Where::Kind::zone) return where;
   if (!in_conflict(f, p)) return {Where::Kind::degenerate, {}};
   take(f, zone);
-  for (int i = 2; i >= 0; --i) zone.stack_.push_back({f, i});
-  grow(p, zone);
+  zone.regions_[0] = f->region();
+  for (int i = 0; i < 3; ++i) grow(p, {f, i}, zone);
+  zone.second_side_ = zone.boundary_.size();
   return {};
 }
 
@@ -116,8 +130,7 @@ auto ConstrainedDelaunay2<EdgeSlots, FaceSlots>::conflict_zone(Point2 point, Edg
   for (const CgalFace f : {e.face, mirror(e).face})
     for (int i = 0; i < 3; ++i)
       if (!cgal_.is_infinite(f->vertex(i)) && f->vertex(i)->point() == p) return {Where::Kind::on_vertex, {}};
-  seed_split(e, zone);
-  grow(p, zone);
+  grow_from_split(p, e, zone);
   if (!is_star_shaped(p, zone)) return {Where::Kind::degenerate, {}};
   if (!vanishing.empty() && !add_stars(vanishing, zone)) return conflict_zone(point, e, {}, zone);
   return {};
@@ -136,11 +149,11 @@ bool ConstrainedDelaunay2<EdgeSlots, FaceSlots>::add_stars(std::span<const Verte
       if (!f->dying()) take(f, zone);
     } while (++around != first);
   }
-  zone.boundary_.clear(), zone.regions_.clear();
+  zone.boundary_.clear();
   for (const Face f : zone.dying_)
     for (int i = 0; i < 3; ++i) {
       const Edge inner{f.handle, i}, outer = mirror(inner);
-      if (!outer.face->dying()) zone.boundary_.push_back(outer), zone.regions_.push_back(f.handle->region());
+      if (!outer.face->dying()) zone.boundary_.push_back(outer);
       else if (is_constrained(inner) && !(inner == zone.split_) && !(outer == zone.split_)) return false;
     }
   return true;
@@ -151,12 +164,15 @@ template <int EdgeSlots, int FaceSlots>
 void ConstrainedDelaunay2<EdgeSlots, FaceSlots>::remove_vanishing(Point2 point, Zone& zone) {
   for (const Face f : zone.dying_) f.handle->set_dying(false);
   const std::vector<Edge> outline = zone.boundary_;
-  const std::vector<std::int32_t> regions = zone.regions_;
   const std::vector<Vertex> gone = zone.vanishing_;
   const CgalVertex a = zone.split_ends_[0], b = zone.split_ends_[1];
   const std::int32_t segment = zone.split_segment_;
   std::vector<std::int32_t> names;
-  for (const Edge& e : outline) names.push_back(e.face->segment(e.index));
+  std::vector<int> regions;
+  for (const Edge& e : outline) {
+    names.push_back(e.face->segment(e.index));
+    regions.push_back(mirror(e).face->region());
+  }
   for (const Vertex v : gone) cgal_.remove(v.handle);
   // CGAL makes nameless faces: give the outline its segments, slots and regions again, from outside.
   std::vector<Face> made;
@@ -184,8 +200,7 @@ void ConstrainedDelaunay2<EdgeSlots, FaceSlots>::remove_vanishing(Point2 point, 
     }
   for (const Face m : made) m.handle->set_dying(false), m.handle->face_slots.fill(-1);
   zone.clear();
-  seed_split({f, i}, zone);
-  grow(cgal_point(point), zone);
+  grow_from_split(cgal_point(point), {f, i}, zone);
   for (const Face m : made)
     if (!m.handle->dying()) zone.new_.push_back(m);
 }
@@ -212,7 +227,7 @@ void ConstrainedDelaunay2<EdgeSlots, FaceSlots>::link_star(CgalVertex v, Zone& z
     const Edge& outer = zone.boundary_[k];
     f->forget();
     f->set_vertices(v, outer.face->vertex(Cgal::cw(outer.index)), outer.face->vertex(Cgal::ccw(outer.index)));
-    f->set_region(zone.regions_[k]);
+    f->set_region(zone.regions_[k < zone.second_side_ ? 0 : 1]);
     f->set_segment(0, outer.face->segment(outer.index));
     for (std::size_t s = 0; s < std::size_t{EdgeSlots}; ++s)
       f->edge_slots[s][0] = outer.face->edge_slots[s][static_cast<std::size_t>(outer.index)];

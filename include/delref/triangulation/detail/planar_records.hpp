@@ -86,12 +86,15 @@ class PlanarFaceRecord : public Base {
   bool dying() const { return (region_ & 1) != 0; }
   void set_dying(bool dying) { region_ = (region_ & ~1) + (dying ? 1 : 0); }
 
-  std::array<std::array<QueuePosition, 3>, EdgeSlots> edge_slots;
-  std::array<QueuePosition, FaceSlots> face_slots;
 
  private:
+  // First what the search for a zone reads, so that it is in one cache line with CGAL's handles.
   std::array<std::int32_t, 3> segments_;
   std::int32_t region_ = -1;
+
+ public:
+  std::array<std::array<QueuePosition, 3>, EdgeSlots> edge_slots;
+  std::array<QueuePosition, FaceSlots> face_slots;
 };
 
 }  // namespace delref::detail
