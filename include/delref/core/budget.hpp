@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 #include <stop_token>
+#include <utility>
 
 namespace delref {
 

@@ -51,7 +51,7 @@ Location<Tr> conflict_zone(L& level, Tr& tr, const E& e, const typename Tr::Poin
 }
 
 template <class L, class Tr>
-std::optional<typename Tr::Vertex> insert(L& level, Tr& tr, const typename Tr::Point& p, typename Tr::Zone& zone) {
+typename Tr::Vertex insert(L& level, Tr& tr, const typename Tr::Point& p, typename Tr::Zone& zone) {
   if constexpr (requires { level.insert(tr, p, zone); }) return level.insert(tr, p, zone);
   else return tr.insert(p, zone);
 }

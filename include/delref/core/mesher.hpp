@@ -118,10 +118,10 @@ class Mesher {
   /// What was done so far, and every element still in the mesh that was given up or is still queued.
   Outcome<Point> outcome() const {
     Outcome<Point> result;
+    result.finished = done();
     result.levels.assign(counts_.begin(), counts_.end());
     for (const GivenUp& g : given_up_) {
-      if (!tr_->is_simplex(std::span(g.vertices.data(), g.vertex_count))) continue;
-      result.unmet.push_back(describe(g));
+      if (is_still_there(g)) result.unmet.push_back(describe(g));
     }
     each_level([&](auto index, const auto& level) {
       level_options::for_each_queued(level, [&](const auto& e) {
@@ -138,6 +138,7 @@ class Mesher {
     Reason reason;
     std::string criterion;
     std::array<Vertex, 4> vertices;
+    std::array<std::size_t, 4> indices;
     std::size_t vertex_count;
   };
 
@@ -165,9 +166,15 @@ class Mesher {
     }(std::make_index_sequence<I>{});
   }
 
+  template <class E>
+  static constexpr bool counts_slots = requires { Tr::template slot_count<E>; };
+
   template <std::size_t I, class L>
   static void assign_slot(L& level) {
     if constexpr (level_options::UsesSlot<L>) {
+      static_assert(counts_slots<typename L::Element>,
+                    "a triangulation whose elements keep the place of a level needs: a constant slot_count<Element>, slot(element, k) "
+                    "and set_slot(element, k, position)");
       static_assert(slot_of<I>() < Tr::template slot_count<typename L::Element>,
                     "this triangulation has too few slots: more levels keep their place in an element than the element has slots; "
                     "use a triangulation type with more slots per element");
@@ -209,7 +216,7 @@ class Mesher {
     proposal.zone = &zone_;
 
     if (const auto verdict = ask<I, 0>(element, proposal, observers...)) return *verdict;
-    return insert<I>(element, proposal, observers...);
+    return insert<I>(proposal, observers...);
   }
 
   /// Asks level J and those after it, down to I. Nothing when all permit.
@@ -258,40 +265,44 @@ class Mesher {
     return Step::rejected_forever;
   }
 
-  /// Everybody permits: the point is inserted into its zone. A triangulation that gives no vertex has not changed.
-  template <std::size_t I, class E, class... Observers>
-  Step insert(const E& element, const Proposal<Tr>& proposal, Observers&... observers) {
-    for (const Vertex gone : zone_.vanishing()) forget(gone);
+  /// Everybody permits: the point is inserted into its zone.
+  template <std::size_t I, class... Observers>
+  Step insert(const Proposal<Tr>& proposal, Observers&... observers) {
+    for (const Vertex gone : zone_.vanishing()) forget(tr_->index(gone));
     each_level([&](auto, auto& l) { l.before_insertion(*tr_, proposal); });
     notify::before_insertion(std::as_const(*tr_), proposal, observers...);
-    const std::optional<Vertex> v = level_options::insert(std::get<I>(levels_), *tr_, proposal.point, zone_);
-    if (!v) return drop<I>(element, proposal, Reason::precision, observers...);
+    const Vertex v = level_options::insert(std::get<I>(levels_), *tr_, proposal.point, zone_);
     ++counts_[I].inserted;
-    tr_->set_origin(*v, proposal.carrier, proposal.level);
-    each_level([&](auto, auto& l) { l.after_insertion(*tr_, *v, proposal); });
-    notify::after_insertion(std::as_const(*tr_), *v, proposal, observers...);
+    tr_->set_origin(v, proposal.carrier, proposal.level);
+    each_level([&](auto, auto& l) { l.after_insertion(*tr_, v, proposal); });
+    notify::after_insertion(std::as_const(*tr_), v, proposal, observers...);
     return Step::inserted;
   }
 
   /// A vertex is about to vanish: its handle must not be used any more.
-  void forget(Vertex gone) {
-    std::erase_if(given_up_, [&](const GivenUp& g) {
-      return std::find(g.vertices.begin(), g.vertices.begin() + static_cast<std::ptrdiff_t>(g.vertex_count), gone) !=
-             g.vertices.begin() + static_cast<std::ptrdiff_t>(g.vertex_count);
-    });
+  void forget(std::size_t gone) {
+    if (gone >= vanished_.size()) vanished_.resize(gone + gone / 2 + 1);
+    vanished_[gone] = true;
+  }
+  bool is_still_there(const GivenUp& g) const {
+    for (std::size_t i = 0; i < g.vertex_count; ++i)
+      if (g.indices[i] < vanished_.size() && vanished_[g.indices[i]]) return false;
+    return tr_->is_simplex(std::span(g.vertices.data(), g.vertex_count));
   }
 
   template <class L, class E>
   GivenUp given_up(const L& level, LevelIndex index, const E& element, Reason reason) const {
-    GivenUp g{index, reason, level_options::unmet_criterion(level, index, std::as_const(*tr_), element), {}, 0};
-    for (const Vertex v : level_options::element_vertices(level, std::as_const(*tr_), element)) g.vertices[g.vertex_count++] = v;
+    GivenUp g{index, reason, level_options::unmet_criterion(level, index, std::as_const(*tr_), element), {}, {}, 0};
+    for (const Vertex v : level_options::element_vertices(level, std::as_const(*tr_), element)) {
+      g.vertices[g.vertex_count] = v;
+      g.indices[g.vertex_count++] = tr_->index(v);
+    }
     return g;
   }
 
   Unmet<Point> describe(const GivenUp& g) const {
     const std::span<const Vertex> vertices(g.vertices.data(), g.vertex_count);
-    Unmet<Point> u{g.level, g.criterion, g.reason, tr_->barycentre(vertices), {}, g.vertex_count};
-    for (std::size_t i = 0; i < g.vertex_count; ++i) u.vertices[i] = tr_->index(g.vertices[i]);
+    Unmet<Point> u{g.level, g.criterion, g.reason, tr_->barycentre(vertices), g.indices, g.vertex_count};
     return u;
   }
 
@@ -300,6 +311,7 @@ class Mesher {
   typename Tr::Zone zone_{};
   std::array<LevelCounts, sizeof...(Levels)> counts_{};
   std::vector<GivenUp> given_up_;
+  std::vector<bool> vanished_;  // by vertex number
   bool scanned_ = false;
 };
 

@@ -45,6 +45,8 @@ template <class Point>
 struct Outcome {
   /// Set when the run was stopped before every set was empty; refining can go on later.
   std::optional<Stop> stopped;
+  /// Every set was empty when this outcome was made.
+  bool finished = false;
   std::vector<LevelCounts> levels;
   /// Elements that are still in the mesh and do not meet their criterion: all that were given up for good, and, when the run was
   /// stopped, the first `listed_per_level` that each level had still queued (`levels[i].queued` counts all of them).
@@ -52,7 +54,7 @@ struct Outcome {
   static constexpr std::size_t listed_per_level = 100'000;
 
   /// Every set was emptied: what does not meet its criterion is listed in `unmet` and nothing else.
-  bool complete() const { return !stopped; }
+  bool complete() const { return finished; }
   /// How many elements are unmet for this reason, listed or not.
   std::size_t unmet_count(Reason reason) const {
     if (reason == Reason::budget) {

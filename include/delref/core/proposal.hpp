@@ -21,7 +21,8 @@ struct Proposal {
   /// What the new vertex will lie on.
   Carrier carrier{};
   /// The conflict zone of `point`: before insertion the elements that die and their boundary, after insertion the elements that
-  /// are new. Null only while a blocked proposal is being judged, since it has no zone.
+  /// are new. Null as long as there is no zone: for `on_proposed`, when a blocked proposal is judged, and when the element is dropped
+  /// before the zone was found.
   const typename Tr::Zone* zone = nullptr;
   /// The vertices of the element that the point is to kill.
   std::array<typename Tr::Vertex, 4> vertices{};
@@ -38,7 +39,7 @@ struct Location {
     blocked,     ///< a constraint lies between the hint and the point: `blocker`
     outside,     ///< the point is outside the triangulation
     on_vertex,   ///< the point has the coordinates of a vertex
-    degenerate   ///< rounding put the point where no valid star of it exists
+    degenerate   ///< no vertex can be made of it: rounding left it without a valid star, or a weighted point would be hidden
   };
   Kind kind = Kind::zone;
   typename Tr::Edge blocker{};

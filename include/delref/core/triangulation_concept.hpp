@@ -7,7 +7,6 @@
 
 #include <concepts>
 #include <cstddef>
-#include <optional>
 #include <ranges>
 #include <span>
 
@@ -28,7 +27,8 @@ concept TriangulationTypes = requires {
 } && requires(const typename Tr::Point& p) {
   { is_finite(p) } -> std::same_as<bool>;
 } && std::copyable<typename Tr::Vertex> && std::default_initializable<typename Tr::Vertex> &&
-    std::equality_comparable<typename Tr::Vertex> && std::default_initializable<typename Tr::Zone>;
+    std::equality_comparable<typename Tr::Vertex> && std::default_initializable<typename Tr::Zone> &&
+    std::default_initializable<typename Tr::Point> && std::default_initializable<typename Tr::Edge>;
 
 /// Part 2: finds the conflict zone of a point, searched from a hint, into a zone that it reuses.
 template <class Tr>
@@ -37,11 +37,11 @@ concept FindsConflictZones =
       { tr.conflict_zone(p, hint, zone) } -> std::same_as<Location<Tr>>;
     };
 
-/// Part 3: inserts a point into its zone. No vertex is a possible answer (a weighted point may be
-/// hidden); the triangulation is then unchanged.
+/// Part 3: inserts a point into the zone that part 2 found, which makes a vertex (a weighted point that would be hidden has no zone:
+/// part 2 says `degenerate`).
 template <class Tr>
 concept InsertsIntoZones = requires(Tr& tr, const typename Tr::Point& p, typename Tr::Zone& zone) {
-  { tr.insert(p, zone) } -> std::same_as<std::optional<typename Tr::Vertex>>;
+  { tr.insert(p, zone) } -> std::same_as<typename Tr::Vertex>;
   { zone.vanishing() } -> std::ranges::input_range;
 };
 
@@ -82,11 +82,12 @@ concept StoresElement = requires(const Tr& tr, const E& e, const typename Tr::Zo
 template <class Tr>
 consteval bool explain_triangulation() {
   static_assert(TriangulationTypes<Tr>,
-                "a triangulation needs: types Point (with is_finite(point)), Vertex (copyable, comparable), Edge, Hint, Zone, and a constant `dimension`");
+                "a triangulation needs: types Point (with is_finite(point)), Vertex (copyable, comparable), Edge, Hint, Zone, all but Hint "
+                "default constructible, and a constant `dimension`");
   static_assert(FindsConflictZones<Tr>,
                 "a triangulation needs: conflict_zone(point, hint, zone) that gives a delref::Location of it");
   static_assert(InsertsIntoZones<Tr>,
-                "a triangulation needs: insert(point, zone) that gives an optional vertex, and zone.vanishing() that lists the "
+                "a triangulation needs: insert(point, zone) that gives the new Vertex, and zone.vanishing() that lists the "
                 "vertices this insertion removes");
   static_assert(DescribesVertices<Tr>,
                 "a triangulation needs: point(v), index(v), carrier(v), provenance(v), set_origin(v, carrier, level), "

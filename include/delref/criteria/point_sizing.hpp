@@ -118,7 +118,7 @@ class PointSizing2 {
   }
 
   static void check(std::span<const Point2> points, std::span<const double> sizes, double gradation, std::size_t first_index) {
-    constexpr double largest_coordinate = 1e150;
+    constexpr double largest_size_coordinate = 1e150;
     if (points.size() != sizes.size())
       throw InvalidInput("there are " + std::to_string(points.size()) + " size points but " + std::to_string(sizes.size()) +
                          " sizes: give one size for each point");
@@ -131,7 +131,7 @@ class PointSizing2 {
     DefectList defects;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Point2 p = points[i];
-      const bool placed = std::abs(p.x) <= largest_coordinate && std::abs(p.y) <= largest_coordinate;
+      const bool placed = std::abs(p.x) <= largest_size_coordinate && std::abs(p.y) <= largest_coordinate;
       if (placed && sizes[i] > 0) continue;
       const std::string name = "size point " + std::to_string(i + first_index) + " at " + describe(p);
       if (!placed)

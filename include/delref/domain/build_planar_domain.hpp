@@ -5,21 +5,15 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
-#include <numeric>
-#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
-#include <CGAL/hilbert_sort.h>
-#include <CGAL/property_map.h>
-#include <fmt/format.h>
-
 #include <delref/core/budget.hpp>
-#include <delref/domain/describe.hpp>
+#include <delref/domain/insert_planar_graph.hpp>
 #include <delref/domain/invalid_input.hpp>
+#include <delref/domain/label_planar_domain.hpp>
 #include <delref/domain/planar_domain.hpp>
 #include <delref/domain/pslg_check.hpp>
 #include <delref/domain/pslg_crossings.hpp>
@@ -28,25 +22,32 @@
 
 namespace delref {
 
+/// Says which segments cross or overlap, or that they do so by rounding alone.
+[[noreturn]] inline void refuse_crossings(const CheckedPslg& checked, const Control& control) {
+  std::vector<Defect> defects = find_crossings(checked, control);
+  if (defects.empty())
+    defects.push_back({"segments lie so close to each other that they cross in the vertices that rounding puts on them; move them "
+                       "apart, or merge near vertices (merge_tolerance, --merge-tolerance)",
+                       {}});
+  throw InvalidInput(std::move(defects));
+}
+
 /// Builds a triangulation and the domain of a checked PSLG (`check_pslg`), scaled by a power of two where its coordinates are
 /// extreme. Use once: the constructor does the work.
 ///
-/// Four vertices of a box around the input, at three times its extent, keep infinite faces away from every segment; they
-/// belong to no domain. Throws `InvalidInput` when segments cross or overlap, or when there is no bounded region; `Interrupted`.
+/// Four vertices of a box around the input (`insert_planar_points`) belong to no domain. Throws `InvalidInput` when segments cross
+/// or overlap, or when there is no bounded region; `Interrupted`.
 template <class Tr>
 class PlanarDomainBuilder {
   using Vertex = typename Tr::Vertex;
-  using Face = typename Tr::Face;
-  using Edge = typename Tr::Edge;
-  using Cgal = typename Tr::Cgal;
 
  public:
   PlanarDomainBuilder(Tr& tr, const CheckedPslg& checked, const Control& control) : tr_(tr), checked_(checked), control_(control) {
     domain_.scale = scale_exponent(checked.pslg);
     domain_.pslg = scaled(checked.pslg, domain_.scale);
-    insert_vertices();
+    vertices_ = insert_planar_points(tr_, std::span<const Point2>(domain_.pslg.points), domain_.pslg.points.size(), control_);
     insert_segments();
-    label();
+    notes_ = PlanarDomainLabeller<Tr>(tr_, domain_, checked_, vertices_, control_).notes();
   }
 
   /// The domain; the builder is then empty.
@@ -55,218 +56,23 @@ class PlanarDomainBuilder {
   std::vector<std::string> notes() && { return std::move(notes_); }
 
  private:
-  void insert_vertices() {
-    using CgalPoint = typename Cgal::Point;
-    const auto& points = domain_.pslg.points;
-    std::vector<CgalPoint> cgal_points;
-    double low_x = std::numeric_limits<double>::infinity(), low_y = low_x, high_x = -low_x, high_y = -low_x;
-    for (const Point2 p : points) {
-      cgal_points.emplace_back(p.x, p.y);
-      low_x = std::min(low_x, p.x), high_x = std::max(high_x, p.x), low_y = std::min(low_y, p.y), high_y = std::max(high_y, p.y);
-    }
-    std::vector<std::size_t> order(points.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    using Map = CGAL::Pointer_property_map<CgalPoint>::type;
-    CGAL::hilbert_sort(order.begin(), order.end(),
-                       CGAL::Spatial_sort_traits_adapter_2<typename Cgal::Geom_traits, Map>(CGAL::make_property_map(cgal_points)),
-                       CGAL::Hilbert_sort_median_policy());
-    const double margin = 3 * std::max(high_x - low_x, high_y - low_y);
-    for (const CgalPoint& corner : {CgalPoint(low_x - margin, low_y - margin), CgalPoint(high_x + margin, low_y - margin),
-                                    CgalPoint(high_x + margin, high_y + margin), CgalPoint(low_x - margin, high_y + margin)})
-      tr_.set_origin({tr_.cgal().insert(corner)}, Carrier{2, Carrier::none}, input_level);
-    vertices_.resize(points.size());
-    typename Tr::CgalFace near{};
-    for (std::size_t k = 0; k < order.size(); ++k) {
-      if (k % 4096 == 0) throw_if_stopped(control_);
-      const auto v = tr_.cgal().insert(cgal_points[order[k]], near);
-      near = v->face();
-      vertices_[order[k]] = {v};
-    }
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      vertices_[i].handle->index = tr_.take_index();
-      tr_.set_origin(vertices_[i], Carrier{0, static_cast<std::uint32_t>(i)}, input_level);
-    }
-    for (auto v = tr_.cgal().finite_vertices_begin(); v != tr_.cgal().finite_vertices_end(); ++v)
-      if (v->carrier.dimension == 2) v->index = tr_.take_index();
+  std::array<Vertex, 2> ends(std::size_t s) const {
+    return {vertices_[domain_.pslg.segments[s][0]], vertices_[domain_.pslg.segments[s][1]]};
   }
 
   void insert_segments() {
-    const auto& segments = domain_.pslg.segments;
+    const std::size_t count = domain_.pslg.segments.size();
     try {
-      for (std::size_t s = 0; s < segments.size(); ++s) {
+      for (std::size_t s = 0; s < count; ++s) {
         if (s % 4096 == 0) throw_if_stopped(control_);
-        tr_.cgal().insert_constraint(vertices_[segments[s][0]].handle, vertices_[segments[s][1]].handle);
+        insert_planar_chain<Tr>(tr_, ends(s));
       }
-    } catch (const typename Cgal::Intersection_of_constraints_exception&) {
-      refuse_crossings();
+    } catch (const typename Tr::Cgal::Intersection_of_constraints_exception&) {
+      refuse_crossings(checked_, control_);
     }
-    for (std::size_t s = 0; s < segments.size(); ++s)
-      if (!name_parts(s)) refuse_crossings();
+    for (std::size_t s = 0; s < count; ++s)
+      if (!name_planar_chain<Tr>(tr_, domain_, ends(s), static_cast<Pslg::Index>(s))) refuse_crossings(checked_, control_);
     domain_.index_segments();
-  }
-
-  [[noreturn]] void refuse_crossings() {
-    std::vector<Defect> defects = find_crossings(checked_, control_);
-    if (defects.empty())
-      defects.push_back({"segments cross or overlap; give --split-crossings (PlanarOptions::split_crossings) to split them", {}});
-    throw InvalidInput(std::move(defects));
-  }
-
-  /// Names the constrained edges of segment `s`, a part for each two successive vertices on it. False where one has a name.
-  bool name_parts(std::size_t s) {
-    const auto [first, last] = domain_.pslg.segments[s];
-    Vertex from = vertices_[first];
-    const Vertex to = vertices_[last];
-    while (!(from == to)) {
-      typename Tr::CgalVertex next;
-      typename Tr::CgalFace f;
-      int i = 0;
-      if (!tr_.cgal().includes_edge(from.handle, to.handle, next, f, i) || f->segment(i) != Unnamed) return false;
-      tr_.set_segment(Edge{f, i}, domain_.segments.size());
-      domain_.segments.push_back({{tr_.carrier(from).index, tr_.carrier({next}).index}, static_cast<Pslg::Index>(s), {}, false});
-      from = {next};
-    }
-    return true;
-  }
-
-  // -- regions
-  static constexpr std::int32_t Unnamed = std::numeric_limits<std::int32_t>::max();
-  static constexpr int outside = -1, unlabelled = 0;
-
-  void label() {
-    // Every face is of region 0 first; what infinity reaches, and then the holes, is taken out.
-    for (auto f = tr_.cgal().all_faces_begin(); f != tr_.cgal().all_faces_end(); ++f) f->set_region(unlabelled);
-    flood({tr_.cgal().infinite_face()}, outside);
-    const bool bounded = !std::ranges::empty(tr_.domain_faces());
-    if (!bounded) refuse_open_boundary();
-    const auto& pslg = domain_.pslg;
-    for (std::size_t h = 0; h < pslg.holes.size(); ++h)
-      if (const auto f = locate_seed(pslg.holes[h], fmt::format("hole seed {}", h + pslg.first_index), checked_.pslg.holes[h]))
-        flood(*f, outside);
-    if (std::ranges::empty(tr_.domain_faces())) refuse_swallowed();
-    label_regions();
-    find_boundary_and_corners();
-  }
-
-  void flood(Face start, int region) {
-    if (tr_.region(start) == region) return;
-    const int old = tr_.region(start);
-    tr_.set_region(start, region);
-    std::vector<Face> stack{start};
-    while (!stack.empty()) {
-      const Face f = stack.back();
-      stack.pop_back();
-      for (int i = 0; i < 3; ++i) {
-        const Face n{f.handle->neighbor(i)};
-        if (f.handle->segment(i) >= 0 || tr_.region(n) != old) continue;
-        tr_.set_region(n, region);
-        stack.push_back(n);
-      }
-    }
-  }
-
-  /// The face of the domain that holds a seed; nothing, and a note, when the seed is outside. Throws when it is on a segment.
-  /// Messages give it as it is in the input.
-  std::optional<Face> locate_seed(Point2 seed, const std::string& what, Point2 in_input) {
-    typename Cgal::Locate_type type;
-    int i = 0;
-    const auto f = tr_.cgal().locate({seed.x, seed.y}, type, i);
-    if (type == Cgal::VERTEX || (type == Cgal::EDGE && f->segment(i) >= 0))
-      throw InvalidInput({Defect{what + " at " + describe(in_input) + " lies on a segment or vertex: move it inside", {in_input}}});
-    if (type == Cgal::OUTSIDE_CONVEX_HULL || type == Cgal::OUTSIDE_AFFINE_HULL || f->region() == outside) {
-      notes_.push_back(what + " at " + describe(in_input) + " lies outside the domain or in a hole that another seed made: it has no effect");
-      return std::nullopt;
-    }
-    return Face{f};
-  }
-
-  void label_regions() {
-    const auto& pslg = domain_.pslg;
-    domain_.regions.assign(1, Pslg::Region{});
-    for (std::size_t r = 0; r < pslg.regions.size(); ++r) {
-      const std::string what = fmt::format("region seed {}", r + pslg.first_index);
-      domain_.regions.push_back(pslg.regions[r]);
-      const Point2 seed = checked_.pslg.regions[r].seed;
-      const auto f = locate_seed(pslg.regions[r].seed, what, seed);
-      if (!f) continue;
-      const int earlier = tr_.region(*f);
-      if (earlier != unlabelled) {
-        const auto& other = domain_.regions[static_cast<std::size_t>(earlier)];
-        if (other.label != pslg.regions[r].label || other.max_area != pslg.regions[r].max_area)
-          throw InvalidInput({Defect{fmt::format("{} at {} is in the same region as region seed {} at {}, with another label or area "
-                                                 "bound: keep one of them, or separate them by segments",
-                                                 what, describe(seed), static_cast<std::size_t>(earlier) - 1 + pslg.first_index,
-                                                 describe(checked_.pslg.regions[static_cast<std::size_t>(earlier) - 1].seed)),
-                                     {seed}}});
-        continue;
-      }
-      flood(*f, static_cast<int>(domain_.regions.size() - 1));
-    }
-  }
-
-  void find_boundary_and_corners() {
-    for (const Edge e : tr_.subsegments())
-      if (!tr_.in_domain(tr_.face(tr_.mirror(e)))) domain_.segments[tr_.segment(e)].bounds_domain = true;
-    for (std::size_t i = 0; i < vertices_.size(); ++i) {
-      if (i % 4096 == 0) throw_if_stopped(control_);
-      find_corners_at(vertices_[i]);
-    }
-  }
-
-  /// Marks each two neighbouring segments at `v` that have the domain between them and meet under 60 degrees.
-  void find_corners_at(Vertex v) {
-    std::vector<Edge> spokes;  // counterclockwise, each named from the face that follows it
-    auto around = tr_.cgal().incident_faces(v.handle);
-    const auto first = around;
-    do {
-      const Edge e{around, Cgal::cw(around->index(v.handle))};
-      if (tr_.is_constrained(e)) spokes.push_back(e);
-    } while (++around != first);
-    for (std::size_t k = 0; k < spokes.size() && spokes.size() > 1; ++k) {
-      const Edge a = spokes[k], b = spokes[(k + 1) % spokes.size()];
-      if (!tr_.in_domain(tr_.face(a))) continue;
-      const Vector2 u = tr_.point(tr_.target(a)) - tr_.point(v), w = tr_.point(tr_.target(b)) - tr_.point(v);
-      const double d = dot(u, w);
-      if (cross(u, w) < 0 || d <= 0 || 4 * d * d <= (1 + 1e-12) * squared_length(u) * squared_length(w)) continue;
-      const bool is_tiny = d >= PlanarDomain::tiny_angle_cosine * std::sqrt(squared_length(u) * squared_length(w));
-      mark_sharp(a, v, is_tiny ? std::sqrt(squared_length(w)) : 0);
-      mark_sharp(b, v, is_tiny ? std::sqrt(squared_length(u)) : 0);
-    }
-  }
-
-  void mark_sharp(Edge e, Vertex corner, double reach) {
-    PlanarDomain::Segment& s = domain_.segments[tr_.segment(e)];
-    const std::size_t end = s.ends[0] == tr_.carrier(corner).index ? 0 : 1;
-    s.sharp[end] = true;
-    s.reach[end] = std::max(s.reach[end], reach);
-  }
-
-  // -- what there is nothing to mesh in
-  [[noreturn]] void refuse_open_boundary() const {
-    std::vector<std::size_t> degree(domain_.pslg.points.size());
-    for (const auto& s : domain_.segments)
-      for (const Pslg::Index end : s.ends) ++degree[end];
-    std::string ends;
-    std::vector<Point2> places;
-    for (std::size_t i = 0; i < degree.size() && places.size() < 10; ++i) {
-      if (degree[i] != 1) continue;
-      places.push_back(checked_.pslg.points[i]);
-      ends += (ends.empty() ? "" : ", ") + checked_.names().placed_vertex(i);
-    }
-    throw InvalidInput({Defect{"the segments bound no region: no closed chain of them separates an inside from the outside" +
-                                   (ends.empty() ? std::string("; add the missing segments")
-                                                 : "; open ends are " + ends + (places.size() == 10 ? " and more" : "") +
-                                                       ": close the boundary there"),
-                               places}});
-  }
-  [[noreturn]] void refuse_swallowed() const {
-    std::string seeds;
-    for (std::size_t h = 0; h < domain_.pslg.holes.size() && h < 10; ++h)
-      seeds += fmt::format("{}seed {} at {}", h ? ", " : "", h + domain_.pslg.first_index, describe(checked_.pslg.holes[h]));
-    throw InvalidInput({Defect{"the holes swallow the whole domain: " + seeds +
-                                   "; a seed removes everything up to the next segments around it: move or remove it, or close "
-                                   "the segments around the hole",
-                               checked_.pslg.holes}});
   }
 
   Tr& tr_;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -72,6 +73,9 @@ struct PlanarDomain {
     return false;
   }
 
+  /// A bound on how far rounding may put a point from where it should be.
+  static double rounding_near(Point2 p) { return 4e-16 * (std::abs(p.x) + std::abs(p.y)); }
+
   /// Whether a vertex at `p` is on a circle around a sharp corner of segment `s` together with `q`, a point of `s`, as far as
   /// rounding lets one tell. On segments that meet under 1e-7 degrees such vertices would encroach each other's subsegments by
   /// nothing but rounding, for ever.
@@ -79,8 +83,8 @@ struct PlanarDomain {
     for (std::size_t i = 0; i < 2; ++i) {
       if (!segments[s].sharp[i]) continue;
       const Point2 corner = point(s, i);
-      if (are_about_equal(squared_distance(corner, p), squared_distance(corner, q), 1e-12) && is_on_segment_of(a, segments[s].ends[i]))
-        return true;
+      const double d = std::sqrt(squared_distance(corner, p)), difference = std::abs(d - std::sqrt(squared_distance(corner, q)));
+      if (difference <= 1e-12 * d + rounding_near(p) && is_on_segment_of(a, segments[s].ends[i])) return true;
     }
     return false;
   }

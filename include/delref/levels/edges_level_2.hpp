@@ -69,6 +69,9 @@ class EdgesLevel2 {
     if (is_protected(tr, e)) return Reason::protected_segment;
     const double floor = options_.smallest_edge;
     if (floor > 0 && squared_length(tr, e) <= floor * floor) return Reason::size_floor;
+    const double rounding = PlanarDomain::rounding_near(tr.point(tr.source(e)));
+    if (squared_length(tr, e) <= 16 * rounding * rounding) return Reason::precision;
+    if (is_hopeless(tr, e) || is_hopeless(tr, tr.mirror(e))) return Reason::small_input_angle;
     return std::nullopt;
   }
   void on_rejected_forever(Tr& tr, const Element& e, Reason) { set_.give_up(tr, e); }
@@ -113,6 +116,17 @@ class EdgesLevel2 {
   }
 
  private:
+  /// Whether the apex of `e` is on another segment of a sharp corner of the segment of `e`, and so near that it is beside `e` only by
+  /// rounding: both would split each other for ever.
+  bool is_hopeless(const Tr& tr, const Element& e) const {
+    if (!tr.in_domain(tr.face(e))) return false;
+    const typename Tr::Vertex v = tr.apex(e);
+    const Point2 p = tr.point(v), a = tr.point(tr.source(e)), b = tr.point(tr.target(e));
+    const double reach = 16 * PlanarDomain::rounding_near(p), area = cross(b - a, p - a);
+    return area * area <= reach * reach * squared_length(tr, e) && policy_.encroaches(tr, e, p) &&
+           domain_->meet_at_sharp_corner(tr.carrier(v), Carrier{1, static_cast<std::uint32_t>(tr.segment(e))});
+  }
+
   /// Queues `e` when the apex on its side encroaches it.
   void test(Tr& tr, const Element& e) {
     if (!tr.in_domain(tr.face(e))) return;

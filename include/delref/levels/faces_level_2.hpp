@@ -51,6 +51,7 @@ class FacesLevel2 {
 
   std::optional<Reason> give_up(const Tr& tr, const Element& f) const {
     const TriangleShape t = shape(tr, f);
+    if (t.shortest_squared() <= square(rounding_floor * PlanarDomain::rounding_near(t.corners[0]))) return Reason::precision;
     if (smallest_edge_ > 0 && t.shortest_squared() <= smallest_edge_ * smallest_edge_) return Reason::size_floor;
     const auto a = tr.vertex(f, static_cast<int>((t.shortest + 1) % 3)), b = tr.vertex(f, static_cast<int>((t.shortest + 2) % 3));
     if (domain_->is_seditious(tr.carrier(a), tr.point(a), tr.carrier(b), tr.point(b)) && criteria_.is_small_enough(t))
@@ -70,6 +71,10 @@ class FacesLevel2 {
   }
 
  private:
+  /// A triangle with an edge of so many roundings of its coordinates is left alone: near it, the computed points are noise.
+  static constexpr double rounding_floor = 16;
+  static constexpr double square(double x) { return x * x; }
+
   static TriangleShape shape(const Tr& tr, const Element& f) {
     return {tr.point(tr.vertex(f, 0)), tr.point(tr.vertex(f, 1)), tr.point(tr.vertex(f, 2)), tr.region(f)};
   }

@@ -91,7 +91,7 @@ class WatchedLevel {
   {
     return level_.conflict_zone(tr, e, p, zone);
   }
-  std::optional<typename Tr::Vertex> insert(Tr& tr, const Point& p, Zone& zone) requires requires(L& l) { l.insert(tr, p, zone); } {
+  typename Tr::Vertex insert(Tr& tr, const Point& p, Zone& zone) requires requires(L& l) { l.insert(tr, p, zone); } {
     return level_.insert(tr, p, zone);
   }
   auto element_vertices(const Tr& tr, const Element& e) const requires requires(const L& l) { l.element_vertices(tr, e); } {

@@ -217,7 +217,7 @@ class ConstrainedDelaunay2 {
   /// must be on no constraint and visible from `e`.
   Location<ConstrainedDelaunay2> conflict_zone(Point2 p, Edge e, std::span<const Vertex> vanishing, Zone& zone);
   /// Inserts `p` into its zone, which then lists the new faces. Constraints and regions come from the sides of the zone.
-  std::optional<Vertex> insert(Point2 p, Zone& zone);
+  Vertex insert(Point2 p, Zone& zone);
   /// The next number for a vertex that is inserted through `cgal()`.
   std::uint32_t take_index() { return next_index_++; }
 

@@ -6,6 +6,9 @@
 #endif
 
 #include <cstdio>
+#include <tuple>
+
+#include <delref/core/mesher.hpp>
 
 #include "subdivision.hpp"
 

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // A triangulation of dimension one: an interval cut into edges. The least that a `Mesher` can refine, and a level that halves
-// its edges until none is longer than asked.
+// its edges until none is longer than asked. To be included after delref's core, by header or by import.
 #pragma once
 
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
-
-#include <delref/core/mesher.hpp>
 
 namespace consumer {
 
@@ -47,7 +44,7 @@ class Subdivision {
     if (p.x < point(hint.left).x || p.x > point(hint.right).x) return {Kind::outside, hint};
     return {Kind::zone, hint};
   }
-  std::optional<Vertex> insert(const Point& p, Zone& zone) {
+  Vertex insert(const Point& p, Zone& zone) {
     vertices_.push_back({p, zone.dying.right, {}, 0});
     vertices_[zone.dying.left].next = vertices_.size() - 1;
     return vertices_.size() - 1;

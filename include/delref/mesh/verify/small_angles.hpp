@@ -40,12 +40,17 @@ class SmallAngles {
   }
 
   /// Whether the encroachment of a vertex on the subsegment from a to b is no more than rounding where two segments meet at a tiny
-  /// angle: it is next to an end of the subsegment, nearer than a ten thousandth of the subsegment's length, on another segment that
-  /// meets this one at a small angle.
+  /// angle: it is next to an end of the subsegment, on another segment that meets this one at a small angle, nearer than a ten
+  /// thousandth of the subsegment's length, or beside that end (along the subsegment within 4 ulp of it) nearer than a tenth.
   bool excuse_encroachment(Index a, Index b, Index vertex) const {
-    const double reach = 1e-8 * squared_distance(subject_.points[a], subject_.points[b]);
-    for (const Index end : {a, b})
-      if (squared_distance(subject_.points[vertex], subject_.points[end]) <= reach && bridges(vertex, end)) return true;
+    const Vector2 along = subject_.points[b] - subject_.points[a];
+    const double length = std::sqrt(squared_length(along)), reach = 1e-4 * length;
+    for (const Index end : {a, b}) {
+      const Vector2 off = subject_.points[vertex] - subject_.points[end];
+      const double largest = std::max(std::abs(subject_.points[end].x), std::abs(subject_.points[end].y));
+      const bool is_beside = std::abs(dot(along, off)) <= 4 * ulp(largest) * length && squared_length(off) <= 1e-2 * length * length;
+      if ((is_beside || squared_length(off) <= reach * reach) && bridges(vertex, end)) return true;
+    }
     return false;
   }
 

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the user asked for, as plain data: made by command_line.cpp, which has checked every number, and taken by the commands.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <delref/io/report.hpp>
+
+namespace delref::program {
+
+/// The gradation when `--size-points` is given without `--gradation`.
+inline constexpr double default_gradation = 0.3;
+
+/// The options as they are before the command line changes them.
+inline ReportedOptions default_options() {
+  ReportedOptions options;
+  options.min_angle_degrees = 20.7;
+  options.encroachment = "circle";
+  options.points = "off-centre";
+  return options;
+}
+
+struct MeshArguments {
+  std::string input;
+  std::vector<std::string> outputs;
+  ReportedOptions options = default_options();
+  double smallest_edge = 0;
+  std::string report;      ///< empty: none
+  bool by_region = false;  ///< what the colours of an .svg tell
+  bool strict = false;
+  bool quiet = false;
+};
+
+struct VerifyArguments {
+  std::string input, mesh;
+  std::string report;  ///< empty: the promises are in `options`
+  ReportedOptions options = default_options();
+};
+
+struct InfoArguments {
+  std::string mesh;
+};
+
+}  // namespace delref::program

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command_line.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <delref/criteria/angle_bound.hpp>
+
+#include "help_text.hpp"
+
+namespace delref::program {
+namespace {
+
+/// A check of CLI11 on a number that `is_right`; `words` say what it must be.
+template <class Predicate>
+CLI::Validator number(std::string words, Predicate is_right) {
+  return CLI::Validator(
+      [=](std::string& text) {
+        double value = 0;
+        if (CLI::detail::lexical_cast(text, value) && is_right(value)) return std::string();
+        return fmt::format("{} is not {}", text.empty() ? "nothing" : text, words);
+      },
+      "");
+}
+
+CLI::Validator positive(const std::string& what) {
+  return number(what + " greater than 0", [](double x) { return std::isfinite(x) && x > 0; });
+}
+CLI::Validator not_negative(const std::string& what) {
+  return number(what + ", 0 or greater", [](double x) { return std::isfinite(x) && x >= 0; });
+}
+CLI::Validator whole(const std::string& what) {
+  return number(what + " greater than 0", [](double x) { return x >= 1 && x <= 4e9 && std::floor(x) == x; });
+}
+
+/// Refuses what no mesh can meet, in the words of the library.
+CLI::Validator angle() {
+  return CLI::Validator(
+      [](std::string& text) {
+        double degrees = 0;
+        if (!CLI::detail::lexical_cast(text, degrees)) return fmt::format("{} is not a number of degrees", text);
+        try {
+          static_cast<void>(AngleBound::degrees(degrees));
+          return std::string();
+        } catch (const InvalidInput& error) {
+          return std::string(error.what());
+        }
+      },
+      "");
+}
+
+CLI::Validator one_of(std::string first, std::string second) {
+  return CLI::Validator(
+      [=](std::string& text) {
+        return text == first || text == second ? std::string() : fmt::format("\"{}\" is neither {} nor {}", text, first, second);
+      },
+      "");
+}
+
+CLI::App* add_command(CLI::App& program, const char* name, const char* help) {
+  CLI::App* command = program.add_subcommand(name);
+  command->formatter_fn([help](const CLI::App*, const std::string&, CLI::AppFormatMode) { return std::string(help); });
+  return command;
+}
+
+/// What `mesh` and `verify` both take. Gives the options, in case they exclude another one.
+std::vector<CLI::Option*> add_criteria(CLI::App& command, ReportedOptions& o) {
+  CLI::Option* points = command.add_option("--size-points", o.size_points_file);
+  return {command.add_option("--min-angle", o.min_angle_degrees)->check(angle()),
+          command.add_option("--max-area", o.max_area)->check(positive("an area")),
+          command.add_option("--max-edge", o.max_edge)->check(positive("a length")),
+          points,
+          command.add_option("--gradation", o.gradation)->check(not_negative("a number"))->needs(points),
+          command.add_option("--encroachment", o.encroachment)->check(one_of("circle", "lens")),
+          command.add_flag("--keep-boundary", o.keep_boundary),
+          command.add_flag("--split-crossings", o.split_crossings),
+          command.add_option("--merge-tolerance", o.merge_tolerance)->check(not_negative("a length"))};
+}
+
+CLI::App* add_mesh(CLI::App& program, MeshArguments& a) {
+  CLI::App* command = add_command(program, "mesh", mesh_help);
+  command->add_option("IN", a.input)->required();
+  command->add_option("-o,--output", a.outputs)->required()->allow_extra_args(false);
+  add_criteria(*command, a.options);
+  command->add_option("--points", a.options.points)->check(one_of("circumcentre", "off-centre"));
+  command->add_option_function<double>("--max-vertices", [&a](double n) { a.options.max_vertices = static_cast<std::size_t>(n); })
+      ->check(whole("a whole number"));
+  command->add_option("--time-limit", a.options.time_limit_seconds)->check(not_negative("a number of seconds"));
+  command->add_option("--smallest-edge", a.smallest_edge)->check(not_negative("a length"));
+  command->add_option("--report", a.report);
+  command->add_option_function<std::string>("--svg-colour", [&a](const std::string& by) { a.by_region = by == "region"; })
+      ->check(one_of("angle", "region"));
+  command->add_flag("--strict", a.strict);
+  command->add_flag("--quiet", a.quiet);
+  return command;
+}
+
+CLI::App* add_verify(CLI::App& program, VerifyArguments& a) {
+  CLI::App* command = add_command(program, "verify", verify_help);
+  command->add_option("IN", a.input)->required();
+  command->add_option("MESH", a.mesh)->required();
+  CLI::Option* report = command->add_option("--report", a.report);
+  for (CLI::Option* criterion : add_criteria(*command, a.options)) report->excludes(criterion);
+  return command;
+}
+
+CLI::App* add_info(CLI::App& program, InfoArguments& a) {
+  CLI::App* command = add_command(program, "info", info_help);
+  command->add_option("MESH", a.mesh)->required();
+  return command;
+}
+
+/// What CLI11 complains about, in the words of this program.
+std::string complaint(const CLI::App& program, const CLI::ParseError& error, const std::string& first_word) {
+  const std::string what = error.what();
+  if (program.get_subcommands().empty() && !first_word.starts_with('-'))
+    return fmt::format("there is no command \"{}\"; the commands are mesh, verify and info", first_word);
+  if (program.get_subcommands().empty())
+    return fmt::format("\"{}\" is not an option of delref itself; begin with a command: mesh, verify or info", first_word);
+  if (what == "--output is required") return "-o is missing: name at least one file for the mesh, such as -o mesh.vtu";
+  if (what.ends_with(" is required")) return what.substr(0, what.find(' ')) + " is missing";
+  if (what.ends_with(" missing")) return what.substr(0, what.find(':')) + " needs a value";
+  if (what.find(" but received ") != std::string::npos) return what.substr(0, what.find(':')) + " is given more than once";
+  return what;
+}
+
+std::string usage_message(const CLI::App& program, const CLI::ParseError& error, const std::string& first_word) {
+  const auto commands = program.get_subcommands();
+  const std::string command = commands.empty() ? "delref" : "delref " + commands.front()->get_name();
+  return fmt::format("{}\nRun `{} --help` to see what can be given.", complaint(program, error, first_word), command);
+}
+
+}  // namespace
+
+CommandLine parse_command_line(int argc, const char* const* argv) {
+  MeshArguments mesh;
+  VerifyArguments verify;
+  InfoArguments info;
+  mesh.options.gradation = verify.options.gradation = default_gradation;
+
+  CLI::App program;
+  program.formatter_fn([](const CLI::App*, const std::string&, CLI::AppFormatMode) { return std::string(program_help); });
+  program.set_version_flag("--version", "delref " DELREF_VERSION);
+  const CLI::App* mesh_command = add_mesh(program, mesh);
+  const CLI::App* verify_command = add_verify(program, verify);
+  add_info(program, info);
+  program.require_subcommand(1);
+
+  if (argc < 2) {
+    std::fputs(program_help, stderr);
+    return ExitCode::usage;
+  }
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& asked_for) {
+    program.exit(asked_for);
+    return ExitCode::ok;
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(usage_message(program, error, argv[1]));
+  }
+  for (ReportedOptions* options : {&mesh.options, &verify.options})
+    if (options->size_points_file.empty()) options->gradation = 0;
+  if (mesh_command->parsed()) return mesh;
+  if (verify_command->parsed()) return verify;
+  return info;
+}
+
+}  // namespace delref::program

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The two pieces of the library that take a compiler long, each compiled in a file of its own: the mesher with the program's
+// observer, and the verification.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <delref/algorithms/planar_options.hpp>
+#include <delref/core/budget.hpp>
+#include <delref/core/outcome.hpp>
+#include <delref/domain/pslg.hpp>
+#include <delref/io/report.hpp>
+#include <delref/mesh/planar_mesh.hpp>
+#include <delref/mesh/verify/criteria.hpp>
+#include <delref/mesh/verify/report.hpp>
+
+#include "progress.hpp"
+
+namespace delref::program {
+
+/// What `mesh_planar` gives.
+struct PlanarRun {
+  PlanarMesh mesh;
+  Outcome<Point2> outcome;
+  std::vector<std::string> notes;
+};
+
+/// `mesh_planar`, watched by `progress`. Throws `InvalidInput` and `Interrupted`.
+PlanarRun run_mesher(Pslg input, const PlanarOptions& options, const Control& control, Progress& progress);
+
+/// Verifies against the input as the run saw it: with its vertices merged and its crossings split, when the options say so.
+/// Of the options only these and the kept boundary are asked; all else is in `criteria`. Throws `InvalidInput` when the input has
+/// bad indices or numbers, and `Interrupted`.
+VerifyReport run_verification(Pslg input, const PlanarMesh& mesh, PlanarCriteria criteria, const ReportedOptions& options,
+                              const Control& control);
+
+}  // namespace delref::program

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "progress.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "words.hpp"
+
+namespace delref::program {
+namespace {
+
+bool can_move_cursor() {
+  const char* terminal = std::getenv("TERM");
+  return isatty(STDERR_FILENO) == 1 && terminal != nullptr && std::string_view(terminal) != "dumb";
+}
+
+std::size_t terminal_width() {
+  winsize size{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+void put(const std::string& text) {
+  std::fputs(text.c_str(), stderr);
+  std::fflush(stderr);
+}
+
+}  // namespace
+
+Progress::Progress(bool shown, std::stop_token stop) : stop_(std::move(stop)) {
+  if (shown && can_move_cursor()) drawer_ = std::jthread([this](const std::stop_token& finished) { draw_until(finished); });
+}
+
+void Progress::finish() {
+  if (!drawer_.joinable()) return;
+  drawer_.request_stop();
+  drawer_.join();
+  put("\r\x1b[K");
+}
+
+void Progress::draw_until(const std::stop_token& finished) {
+  std::unique_lock lock(mutex_);
+  // The wait ends early only when the work is done: then there is nothing to draw.
+  while (!tick_.wait_for(lock, finished, std::chrono::milliseconds(200), [&] { return finished.stop_requested(); })) draw();
+}
+
+void Progress::draw() const {
+  const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+  std::string line = fmt::format("delref: {}", stop_.stop_requested() ? "stopping" : stage());
+  if (refining_.load(std::memory_order_relaxed))
+    line += fmt::format(", {} vertices", grouped(vertices_.load(std::memory_order_relaxed)));
+  line += fmt::format(", {:.1f} s", seconds);
+  if (const std::size_t width = terminal_width(); line.size() >= width) line.resize(width - 1);
+  put("\r" + line + "\x1b[K");
+}
+
+}  // namespace delref::program

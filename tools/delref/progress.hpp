@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One line on the terminal that says what the program is doing. A thread of its own draws it, so that it moves while files are
+// read and checked as well; the work only stores a number now and then.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <mutex>
+#include <stop_token>
+#include <string>
+#include <thread>
+
+#include <delref/core/proposal.hpp>
+
+namespace delref::program {
+
+/// Draws at most five times a second on standard error while it lives, and wipes the line at the end. An observer of the mesher.
+class Progress {
+ public:
+  /// Draws nothing unless `shown` and standard error is a terminal that can move its cursor. When `stop` is requested the line
+  /// says so.
+  Progress(bool shown, std::stop_token stop);
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  ~Progress() { finish(); }
+
+  /// What is being done from now on, such as "reading"; the text must live as long as the program.
+  void begin(const char* stage) { stage_.store(stage, std::memory_order_relaxed); }
+  const char* stage() const { return stage_.load(std::memory_order_relaxed); }
+  /// Wipes the line and draws no more.
+  void finish();
+
+  template <class Tr>
+  void on_scanned(const Tr& tr) {
+    vertices_.store(tr.number_of_vertices(), std::memory_order_relaxed);
+    refining_.store(true, std::memory_order_relaxed);
+    begin("refining");
+  }
+  template <class Tr>
+  void on_after_insertion(const Tr& tr, typename Tr::Vertex, const Proposal<Tr>&) {
+    if (++insertions_ % 1024 == 0) vertices_.store(tr.number_of_vertices(), std::memory_order_relaxed);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void draw_until(const std::stop_token& finished);
+  void draw() const;
+
+  std::atomic<const char*> stage_{"starting"};
+  std::atomic<std::size_t> vertices_{0};
+  std::atomic<bool> refining_{false};
+  std::size_t insertions_ = 0;
+  Clock::time_point start_ = Clock::now();
+  std::stop_token stop_;
+  std::mutex mutex_;
+  std::condition_variable_any tick_;
+  std::jthread drawer_;
+};
+
+}  // namespace delref::program
