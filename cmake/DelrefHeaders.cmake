@@ -43,6 +43,7 @@ set(delref_headers
     delref/domain/bounding_box.hpp
     delref/domain/build_planar_domain.hpp
     delref/domain/chain_line.hpp
+    delref/domain/convex_hull.hpp
     delref/domain/crossing_sweep.hpp
     delref/domain/describe.hpp
     delref/domain/exact_side.hpp

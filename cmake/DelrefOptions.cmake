@@ -16,9 +16,6 @@ option(DELREF_CORE_ONLY "Offer delref::core alone and look for no dependency" OF
 set(DELREF_TEST_GROUPS
     "unit;concepts;compile_fail;property;regression;package;cli;interchange;fuzz;module"
     CACHE STRING "The folders of tests/ that are configured; module needs DELREF_MODULES")
-set(DELREF_PROPERTY_SEEDS
-    ""
-    CACHE STRING "How many seeds each property test takes; empty for the number that CI uses")
 
 # Only targets that hold a module are scanned for imports.
 set(CMAKE_CXX_SCAN_FOR_MODULES OFF)

@@ -85,6 +85,7 @@ class MeshCommand {
     report_.input_file = arguments.input;
     report_.output_files = arguments.outputs;
     report_.options = arguments.options;
+    report_.options.smallest_edge = arguments.smallest_edge;
   }
 
   ExitCode run() {

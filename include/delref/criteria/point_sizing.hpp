@@ -131,7 +131,7 @@ class PointSizing2 {
     DefectList defects;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Point2 p = points[i];
-      const bool placed = std::abs(p.x) <= largest_size_coordinate && std::abs(p.y) <= largest_coordinate;
+      const bool placed = std::abs(p.x) <= largest_size_coordinate && std::abs(p.y) <= largest_size_coordinate;
       if (placed && sizes[i] > 0) continue;
       const std::string name = "size point " + std::to_string(i + first_index) + " at " + describe(p);
       if (!placed)

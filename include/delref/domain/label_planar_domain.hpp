@@ -15,6 +15,8 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <range/v3/view/iota.hpp>
+#include <range/v3/view/zip.hpp>
 
 #include <delref/core/budget.hpp>
 #include <delref/domain/describe.hpp>
@@ -46,9 +48,8 @@ class PlanarDomainLabeller {
     const bool bounded = !std::ranges::empty(tr_.domain_faces());
     if (!bounded) refuse_open_boundary();
     const auto& pslg = domain_.pslg;
-    for (std::size_t h = 0; h < pslg.holes.size(); ++h)
-      if (const auto f = locate_seed(pslg.holes[h], fmt::format("hole seed {}", h + pslg.first_index), checked_.pslg.holes[h]))
-        flood(*f, outside);
+    for (const auto& [h, seed, given] : ranges::views::zip(ranges::views::iota(pslg.first_index), pslg.holes, checked_.pslg.holes))
+      if (const auto f = locate_seed(seed, fmt::format("hole seed {}", h), given)) flood(*f, outside);
     if (std::ranges::empty(tr_.domain_faces())) refuse_swallowed();
     label_regions();
     find_boundary_and_corners();

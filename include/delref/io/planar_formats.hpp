@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <delref/core/budget.hpp>
+#include <delref/domain/convex_hull.hpp>
 #include <delref/core/outcome.hpp>
 #include <delref/domain/pslg.hpp>
 #include <delref/io/geojson.hpp>
@@ -57,7 +58,8 @@ inline constexpr std::string_view writable_meshes = ".node, .ele, .vtu, .msh, .m
 inline PslgFile read_pslg(const std::filesystem::path& path, const Control& control = Control{}) {
   const std::string extension = detail::lower_extension(path);
   if (extension == ".poly") return {read_triangle_poly(path, control), {}};
-  if (extension == ".node") return {read_triangle_node(path, control), {}};
+  if (extension == ".node")
+    return {with_convex_hull(read_triangle_node(path, control)), {"the file has no segments: the domain is the convex hull of its vertices"}};
   if (extension == ".geojson" || extension == ".json") return read_geojson(path, control);
   throw InvalidInput(detail::unknown_extension(path, "a domain;", readable_domains));
 }

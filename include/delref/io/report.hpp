@@ -27,6 +27,7 @@ struct ReportedOptions {
   bool keep_boundary = false;
   bool split_crossings = false;
   double merge_tolerance = 0;
+  double smallest_edge = 0;
   std::optional<std::size_t> max_vertices;
   std::optional<double> time_limit_seconds;
 

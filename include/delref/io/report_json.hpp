@@ -50,6 +50,7 @@ inline OrderedJson options_json(const ReportedOptions& o) {
           {"gradation", o.gradation},                 {"encroachment", o.encroachment},
           {"points", o.points},                       {"keep_boundary", o.keep_boundary},
           {"split_crossings", o.split_crossings},     {"merge_tolerance", o.merge_tolerance},
+          {"smallest_edge", o.smallest_edge},
           {"max_vertices", or_null(o.max_vertices)},  {"time_limit_seconds", or_null(o.time_limit_seconds)}};
 }
 
@@ -125,6 +126,7 @@ inline ReportedOptions read_options(const nlohmann::json& json) {
   read_value(json, "keep_boundary", o.keep_boundary);
   read_value(json, "split_crossings", o.split_crossings);
   read_value(json, "merge_tolerance", o.merge_tolerance);
+  read_value(json, "smallest_edge", o.smallest_edge);
   read_value(json, "max_vertices", o.max_vertices);
   read_value(json, "time_limit_seconds", o.time_limit_seconds);
   return o;

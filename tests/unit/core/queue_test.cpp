@@ -84,17 +84,6 @@ TEST_CASE("priorities a factor of 1.25 apart are never in the wrong order in a b
   CHECK(drain(queue) == expected);
 }
 
-TEST_CASE("a bucket queue orders the entries of a class a batch at a time, and what comes meanwhile at once") {
-  delref::BucketQueue<int, 4, 2> queue;
-  queue.push(0, 1e-6);
-  CHECK(queue.at(queue.front()) == 0);
-  for (const int i : {12, 8, 3, 2}) queue.push(i, i);  // from 2 to 32 is one class
-  queue.erase(queue.front());
-  CHECK(queue.at(queue.front()) == 8);  // of the first batch, 12 and 8
-  queue.push(1, 1);
-  CHECK(drain(queue) == std::vector{1, 8, 12, 2, 3});
-}
-
 TEST_CASE("a bucket that became empty is filled again") {
   delref::BucketQueue<int> queue;
   queue.push(1, 1);
