@@ -67,3 +67,13 @@ TEST_CASE("A seed on a vertex that no segment uses is inside its region") {
   const PlanarResult result = mesh_planar(pslg, {});
   CHECK(std::ranges::all_of(result.mesh.regions, [](int label) { return label == 4; }));
 }
+
+TEST_CASE("A vertex added on the boundary of a mesh without Steiner vertices is next to the box around it") {
+  // The box's vertices have the highest numbers then; a table by vertex number was too short for them.
+  PlanarRefinement refinement(graphs::square());
+  Pslg extra;
+  extra.points = {{0.5, 0}};
+  refinement.add(extra);
+  CHECK(refinement.refine().complete());
+  CHECK(refinement.mesh().points.size() >= 5);
+}

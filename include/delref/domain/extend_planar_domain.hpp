@@ -197,8 +197,9 @@ class PlanarDomainExtension {
       if (!steiner_[v].dropped) place_.push_back(points.size()), points.push_back(steiner_[v].point);
       else place_.push_back(0);
     vertices_ = insert_planar_points(tr_, std::span<const Point2>(points), domain_.pslg.points.size(), control_);
-    const auto count = static_cast<std::uint32_t>(tr_.index(vertices_[points.size() - 1])) + 1;
-    steiner_at_.assign(count, none);
+    std::size_t numbers = 0;  // also of the vertices of the box, which may be the last
+    for (const Vertex v : tr_.finite_vertices()) numbers = std::max(numbers, tr_.index(v) + 1);
+    steiner_at_.assign(numbers, none);
     for (std::uint32_t v = 0; v < steiner_.size(); ++v) {
       if (steiner_[v].dropped) continue;
       tr_.set_origin(vertices_[place_[v]], Carrier{2, Carrier::none}, steiner_[v].provenance);
