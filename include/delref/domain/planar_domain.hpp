@@ -43,6 +43,18 @@ struct PlanarDomain {
   /// it: otherwise their vertices would encroach each other's subsegments down to the width of the wedge.
   static constexpr double tiny_angle_cosine = 0.99939;
 
+  /// To be called when `segments` is filled.
+  void index_segments() {
+    first_incident_.assign(pslg.points.size() + 1, 0);
+    for (const Segment& s : segments)
+      for (const Pslg::Index end : s.ends) ++first_incident_[end + 1];
+    std::partial_sum(first_incident_.begin(), first_incident_.end(), first_incident_.begin());
+    incident_.resize(2 * segments.size());
+    std::vector<std::uint32_t> next(first_incident_.begin(), first_incident_.end() - 1);
+    for (std::uint32_t s = 0; s < segments.size(); ++s)
+      for (const Pslg::Index end : segments[s].ends) incident_[next[end]++] = s;
+  }
+
   /// The end of segment `s` from which its split points near `p` are measured, if it meets others at a tiny angle: the end whose
   /// neighbours reach as far as `p`, and of two such the nearer.
   std::optional<std::size_t> shell_corner(std::size_t s, Point2 p) const {
@@ -115,19 +127,6 @@ struct PlanarDomain {
     return {incident_.data() + first_incident_[vertex], incident_.data() + first_incident_[vertex + 1]};
   }
   std::vector<std::uint32_t> incident_, first_incident_;  // the segments at each input vertex
-
- public:
-  /// To be called when `segments` is filled.
-  void index_segments() {
-    first_incident_.assign(pslg.points.size() + 1, 0);
-    for (const Segment& s : segments)
-      for (const Pslg::Index end : s.ends) ++first_incident_[end + 1];
-    std::partial_sum(first_incident_.begin(), first_incident_.end(), first_incident_.begin());
-    incident_.resize(2 * segments.size());
-    std::vector<std::uint32_t> next(first_incident_.begin(), first_incident_.end() - 1);
-    for (std::uint32_t s = 0; s < segments.size(); ++s)
-      for (const Pslg::Index end : segments[s].ends) incident_[next[end]++] = s;
-  }
 };
 
 }  // namespace delref
