@@ -8,6 +8,7 @@ set(delref_core_headers
     delref/core/budget.hpp
     delref/core/carrier.hpp
     delref/core/level_concepts.hpp
+    delref/core/level_members.hpp
     delref/core/level_options.hpp
     delref/core/mesher.hpp
     delref/core/observer.hpp
@@ -19,6 +20,7 @@ set(delref_core_headers
     delref/core/queue/entry_pool.hpp
     delref/core/queue/fifo_queue.hpp
     delref/core/queue/lifo_queue.hpp
+    delref/core/queue/list_queue.hpp
     delref/core/queue/refinement_queue.hpp
     delref/core/triangulation_concept.hpp
     delref/core/verdict.hpp
@@ -29,31 +31,71 @@ set(delref_core_headers
 
 # Planar meshing.
 set(delref_headers
+    delref/algorithms/check_polyhedral_options.hpp
     delref/algorithms/excuse_small_angles.hpp
     delref/algorithms/extract_planar_mesh.hpp
+    delref/algorithms/extract_tetrahedral_mesh.hpp
     delref/algorithms/planar.hpp
     delref/algorithms/planar_levels.hpp
     delref/algorithms/planar_options.hpp
     delref/algorithms/planar_refinement.hpp
+    delref/algorithms/polyhedral.hpp
+    delref/algorithms/polyhedral_levels.hpp
+    delref/algorithms/polyhedral_options.hpp
+    delref/algorithms/polyhedral_refinement.hpp
     delref/criteria/angle_bound.hpp
     delref/criteria/point_sizing.hpp
     delref/criteria/sizing_field.hpp
+    delref/criteria/tetrahedron_criteria.hpp
+    delref/criteria/tetrahedron_shape.hpp
     delref/criteria/triangle_criteria.hpp
     delref/criteria/triangle_shape.hpp
     delref/domain/bounding_box.hpp
+    delref/domain/bounding_box_3.hpp
     delref/domain/build_planar_domain.hpp
+    delref/domain/build_polyhedral_domain.hpp
     delref/domain/chain_line.hpp
+    delref/domain/check_plc.hpp
+    delref/domain/contact_places.hpp
     delref/domain/convex_hull.hpp
+    delref/domain/coplanar_groups.hpp
+    delref/domain/coplanar_growth.hpp
     delref/domain/crossing_sweep.hpp
     delref/domain/describe.hpp
+    delref/domain/enumerated.hpp
     delref/domain/exact_side.hpp
+    delref/domain/exact_side_3.hpp
     delref/domain/extend_planar_domain.hpp
+    delref/domain/extension_pieces.hpp
+    delref/domain/extension_state.hpp
+    delref/domain/extension_steiner.hpp
+    delref/domain/extension_thinning.hpp
+    delref/domain/facet_frame.hpp
+    delref/domain/facet_hinges.hpp
+    delref/domain/facet_triangulation.hpp
     delref/domain/insert_planar_graph.hpp
     delref/domain/invalid_input.hpp
+    delref/domain/join_coplanar.hpp
     delref/domain/label_planar_domain.hpp
+    delref/domain/label_polyhedral_domain.hpp
+    delref/domain/loose_vertices.hpp
     delref/domain/merge_points.hpp
+    delref/domain/merge_points_3.hpp
     delref/domain/pair_table.hpp
     delref/domain/planar_domain.hpp
+    delref/domain/plc.hpp
+    delref/domain/plc_angles.hpp
+    delref/domain/plc_closure.hpp
+    delref/domain/plc_cuts.hpp
+    delref/domain/plc_defects.hpp
+    delref/domain/plc_duplicates.hpp
+    delref/domain/plc_intersections.hpp
+    delref/domain/plc_merge.hpp
+    delref/domain/plc_names.hpp
+    delref/domain/plc_options.hpp
+    delref/domain/plc_outlines.hpp
+    delref/domain/plc_scale.hpp
+    delref/domain/polyhedral_domain.hpp
     delref/domain/pslg.hpp
     delref/domain/pslg_check.hpp
     delref/domain/pslg_crossings.hpp
@@ -63,19 +105,37 @@ set(delref_headers
     delref/domain/pslg_scale.hpp
     delref/domain/pslg_split.hpp
     delref/domain/segment_contact.hpp
+    delref/domain/segment_table.hpp
+    delref/domain/segment_wedges.hpp
+    delref/domain/sharp_corners.hpp
+    delref/domain/small_angle_guard.hpp
     delref/domain/snap_rounding.hpp
     delref/domain/split_pieces.hpp
+    delref/domain/triangle_contact.hpp
+    delref/domain/triangulated_plc.hpp
     delref/domain/unite_pslg.hpp
     delref/domain/walk_along.hpp
+    delref/levels/detail/facet_complex_flips.hpp
     delref/levels/edges_level_2.hpp
+    delref/levels/edges_level_3.hpp
     delref/levels/encroachment.hpp
     delref/levels/faces_level_2.hpp
+    delref/levels/facet_complex.hpp
+    delref/levels/facets_level_3.hpp
     delref/levels/point_choice.hpp
+    delref/levels/region_repair.hpp
     delref/levels/split_point.hpp
+    delref/levels/split_point_3.hpp
+    delref/levels/subsegment_table.hpp
+    delref/levels/tetrahedra_level_3.hpp
     delref/mesh/planar_mesh.hpp
     delref/mesh/quality.hpp
     delref/mesh/quality_table.hpp
     delref/mesh/scaling.hpp
+    delref/mesh/tetrahedral_mesh.hpp
+    delref/mesh/tetrahedral_quality.hpp
+    delref/mesh/tetrahedral_quality_table.hpp
+    delref/mesh/tetrahedron_measures.hpp
     delref/mesh/triangle_measures.hpp
     delref/mesh/twofold.hpp
     delref/mesh/verify/chains.hpp
@@ -92,34 +152,79 @@ set(delref_headers
     delref/mesh/verify/small_angles.hpp
     delref/mesh/verify/subject.hpp
     delref/mesh/verify/topology.hpp
+    delref/mesh/verify/ulp.hpp
+    delref/mesh/verify_3/chains.hpp
+    delref/mesh/verify_3/check_criteria.hpp
+    delref/mesh/verify_3/check_facets.hpp
+    delref/mesh/verify_3/check_labels.hpp
+    delref/mesh/verify_3/check_segments.hpp
+    delref/mesh/verify_3/check_structure.hpp
+    delref/mesh/verify_3/check_tiling.hpp
+    delref/mesh/verify_3/criteria.hpp
+    delref/mesh/verify_3/elements.hpp
+    delref/mesh/verify_3/facet_cover.hpp
+    delref/mesh/verify_3/facet_region.hpp
+    delref/mesh/verify_3/input_complex.hpp
+    delref/mesh/verify_3/line_shooter.hpp
+    delref/mesh/verify_3/rooms.hpp
+    delref/mesh/verify_3/small_angles.hpp
+    delref/mesh/verify_3/subject.hpp
+    delref/mesh/verify_3/topology.hpp
     delref/mesh/verify_planar.hpp
+    delref/mesh/verify_polyhedral.hpp
     delref/triangulation/constrained_delaunay_2.hpp
+    delref/triangulation/delaunay_3.hpp
     delref/triangulation/detail/constrained_delaunay_2_zone.hpp
+    delref/triangulation/detail/delaunay_3_zone.hpp
+    delref/triangulation/detail/planar_filters.hpp
     delref/triangulation/detail/planar_records.hpp
     delref/triangulation/detail/range_of.hpp
-    delref/triangulation/planar_concept.hpp)
+    delref/triangulation/detail/spatial_records.hpp
+    delref/triangulation/planar_concept.hpp
+    delref/triangulation/simplex_table.hpp
+    delref/triangulation/spatial_concept.hpp)
 
 # File formats.
 set(delref_io_headers
     delref/io/base64.hpp
+    delref/io/binary_numbers.hpp
     delref/io/colours.hpp
+    delref/io/cut_svg.hpp
+    delref/io/element_records.hpp
+    delref/io/extension.hpp
     delref/io/file.hpp
+    delref/io/file_set.hpp
     delref/io/geojson.hpp
     delref/io/json.hpp
     delref/io/medit.hpp
+    delref/io/medit_reader.hpp
+    delref/io/mesh_blocks.hpp
+    delref/io/mesh_formats.hpp
     delref/io/msh.hpp
     delref/io/msh_reader.hpp
+    delref/io/node_records.hpp
+    delref/io/obj_reader.hpp
     delref/io/off.hpp
+    delref/io/off_reader.hpp
+    delref/io/output_check.hpp
     delref/io/physical_tags.hpp
     delref/io/planar_formats.hpp
+    delref/io/plc_file.hpp
+    delref/io/ply_header.hpp
+    delref/io/ply_reader.hpp
     delref/io/polygon_faces.hpp
     delref/io/polygon_rows.hpp
     delref/io/polygons.hpp
+    delref/io/polyhedral_formats.hpp
     delref/io/report.hpp
     delref/io/report_json.hpp
     delref/io/smallest_angles.hpp
+    delref/io/stl_reader.hpp
     delref/io/svg.hpp
     delref/io/svg_path.hpp
+    delref/io/tetgen_mesh.hpp
+    delref/io/tetgen_poly.hpp
+    delref/io/tetrahedral_formats.hpp
     delref/io/text_scanner.hpp
     delref/io/text_sink.hpp
     delref/io/triangle_mesh.hpp

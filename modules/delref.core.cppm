@@ -27,7 +27,9 @@ export namespace delref {
 
 // core/point.hpp
 using delref::Point2;
+using delref::Point3;
 using delref::Vector2;
+using delref::Vector3;
 
 // core/carrier.hpp
 using delref::Carrier;
@@ -44,6 +46,7 @@ using delref::Budget;
 using delref::Control;
 using delref::Interrupted;
 using delref::Stop;
+using delref::StopCheck;
 using delref::throw_if_stopped;
 
 // core/outcome.hpp
@@ -68,6 +71,7 @@ using delref::TriangulationTypes;
 // core/level_concepts.hpp
 using delref::Checks;
 using delref::explain_level;
+using delref::explain_optional_members;
 using delref::Follows;
 using delref::MesherLevel;
 using delref::Proposes;
@@ -79,6 +83,7 @@ using delref::explain_observer;
 using delref::Observer;
 using delref::ObservesAfterInsertion;
 using delref::ObservesBeforeInsertion;
+using delref::ObservesProgress;
 using delref::ObservesProposal;
 using delref::ObservesRejection;
 using delref::ObservesRejectionForever;
@@ -94,6 +99,8 @@ using delref::ElementSet;
 using delref::explain_queue;
 using delref::FifoQueue;
 using delref::LifoQueue;
+using delref::ListOrder;
+using delref::ListQueue;
 using delref::QueuePosition;
 using delref::RefinementQueue;
 

@@ -62,7 +62,7 @@ class Input(ProgramTest):
         self.assertIn("directory", run.err)
 
     def test_an_unknown_extension_of_the_input_is_told_with_those_known(self):
-        self.refused(square, ".stl", ".poly", ".geojson", name="in.stl")
+        self.refused(square, ".step", ".poly", ".geojson", ".off", name="in.step")
 
     def test_elements_are_numbered_as_in_the_file(self):
         points, segments = SQUARE, ring(4) + [(0, 2), (1, 3)]

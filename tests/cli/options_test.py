@@ -74,6 +74,13 @@ class Options(ProgramTest):
         self.assertLess(report["times"]["meshing_seconds"], 2)
         self.assertLess(time.monotonic() - begin, 60)
 
+    def test_a_time_limit_holds_for_the_whole_program(self):
+        self.write("in.poly", square)
+        for output in ["out.node", "out.vtu"]:
+            begin = time.monotonic()
+            self.run_program("mesh", "in.poly", "-o", output, "--max-area", "1e-9", "--time-limit", "3", expect=UNMET)
+            self.assertLess(time.monotonic() - begin, 4.5)  # on a busy machine; 3.5 is promised
+
     def test_a_time_limit_before_there_is_a_mesh_writes_nothing_and_says_so(self):
         self.write("in.poly", square)
         run = self.run_program("mesh", "in.poly", "-o", "out.vtu", "--time-limit", "0", expect=UNMET)

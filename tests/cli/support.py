@@ -58,6 +58,41 @@ def blob(count, roughness=0.02, seed=1):
     return poly(points, ring(count))
 
 
+BOX = [(x, y, z) for z in (0.0, 1.0) for y in (0.0, 1.0) for x in (0.0, 1.0)]
+BOX_SIDES = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+
+
+def scaled(points, factor, shift=(0.0, 0.0, 0.0)):
+    """The same points larger by a factor and then moved."""
+    return [tuple(factor * c + s for c, s in zip(p, shift)) for p in points]
+
+
+def off(points, faces):
+    """The text of an .off file."""
+    lines = ["OFF", f"{len(points)} {len(faces)} 0"]
+    lines += [" ".join(repr(c) for c in p) for p in points]
+    return "\n".join(lines + [" ".join(str(i) for i in (len(f), *f)) for f in faces]) + "\n"
+
+
+def poly_3(points, facets, holes=(), regions=()):
+    """The text of a .poly file of space, numbered from 1, with facet i having the marker 10 + i."""
+    lines = [f"{len(points)} 3 0 0"] + [f"{i + 1} {p[0]!r} {p[1]!r} {p[2]!r}" for i, p in enumerate(points)]
+    lines += [f"{len(facets)} 1"]
+    for i, facet in enumerate(facets):
+        lines += [f"1 0 {10 + i}", " ".join(str(v) for v in (len(facet), *(v + 1 for v in facet)))]
+    lines += [f"{len(holes)}"] + [f"{i + 1} {h[0]!r} {h[1]!r} {h[2]!r}" for i, h in enumerate(holes)]
+    lines += [f"{len(regions)}"] + [f"{i + 1} {r[0]!r} {r[1]!r} {r[2]!r} {r[3]} {r[4]!r}" for i, r in enumerate(regions)]
+    return "\n".join(lines) + "\n"
+
+
+box = off(BOX, BOX_SIDES)
+triangulated_box = off(BOX, [side for a, b, c, d in BOX_SIDES for side in ((a, b, c), (a, c, d))])
+open_box = off(BOX, BOX_SIDES[1:])
+# A box in a box: two regions, the inner one with a volume bound.
+nested_boxes = poly_3(BOX + scaled(BOX, 0.5, (0.25, 0.25, 0.25)), BOX_SIDES + [tuple(v + 8 for v in side) for side in BOX_SIDES],
+                      regions=[(0.1, 0.1, 0.1, 7, -1), (0.5, 0.5, 0.5, 9, 0.001)])
+
+
 class Run:
     """What a finished run of the program gave."""
 

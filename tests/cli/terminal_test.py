@@ -14,7 +14,7 @@ class Terminal(ProgramTest):
     def test_a_terminal_shows_progress_and_is_left_clean(self):
         run = self.on_terminal(*LONG, "--time-limit", "1.2")
         self.assertEqual(run.code, UNMET)
-        self.assertRegex(run.err, r"\rdelref: refining, [\d,]+ vertices, \d+\.\d s\x1b\[K")
+        self.assertRegex(run.err, r"\rdelref: refining, [\d,]+ vertices, [\d,]+ waiting, \d+\.\d s\x1b\[K")
         self.assertTrue(run.err.endswith("\r\x1b[K"), repr(run.err))
         self.assertLessEqual(run.err.count("refining"), 12)
 
@@ -53,7 +53,14 @@ class Signals(ProgramTest):
         self.assertEqual("nothing was written" in run.err, not self.exists("out.vtu"))
         self.assertEqual([name for name in os.listdir(self.folder) if name.endswith(".partial")], [])
 
-    def test_a_second_interrupt_ends_the_program_at_once(self):
+    def test_a_second_interrupt_gives_up_the_writing_and_leaves_nothing_incomplete(self):
+        run = self.on_terminal(*LONG, send=signal.SIGINT, when="refining, [\\d,]{7}", times=2)
+        self.assertEqual(run.code, INTERRUPTED, str(run))
+        self.assertLess(run.seconds_after_signal, 2)
+        self.assertEqual("interrupted again" in run.err, not self.exists("out.vtu"), str(run))
+        self.assertEqual([name for name in os.listdir(self.folder) if name.endswith(".partial")], [])
+
+    def test_any_more_interrupts_end_the_program_too(self):
         run = self.on_terminal(*LONG, send=signal.SIGINT, when="refining", times=1000)
         self.assertIn(run.code, (-signal.SIGINT, INTERRUPTED))
 

@@ -39,7 +39,8 @@ class Usage(ProgramTest):
             "--min-angle": ["60", "75", "-1", "nan", "x", ""], "--max-area": ["0", "-1", "nan", "inf", "x"],
             "--max-edge": ["0", "-2"], "--encroachment": ["square"], "--points": ["centre"], "--merge-tolerance": ["-1", "nan"],
             "--max-vertices": ["0", "-3", "1.5", "x"], "--time-limit": ["-1", "x"], "--smallest-edge": ["-1"],
-            "--svg-colour": ["red"],
+            "--svg-colour": ["red"], "--radius-edge": ["0.99", "0", "-2", "nan", "inf", "x"], "--max-volume": ["0", "-1", "nan"],
+            "--cell-size": ["0", "-1", "x"], "--join-coplanar": ["-1", "46", "nan"], "--planarity-tolerance": ["-1", "0.2", "x"],
         }.items():
             for value in values:
                 with self.subTest(option=option, value=value):
@@ -85,9 +86,11 @@ class Help(ProgramTest):
     options = {
         "mesh": ["-o", "--min-angle", "--max-area", "--max-edge", "--size-points", "--gradation", "--encroachment", "--points",
                  "--split-crossings", "--keep-boundary", "--merge-tolerance", "--max-vertices", "--time-limit", "--smallest-edge",
-                 "--strict", "--report", "--svg-colour", "--quiet", "--help"],
+                 "--strict", "--report", "--svg-colour", "--quiet", "--help", "--radius-edge", "--max-volume", "--cell-size",
+                 "--join-coplanar", "--planarity-tolerance", "--regions"],
         "verify": ["--report", "--min-angle", "--max-area", "--max-edge", "--size-points", "--gradation", "--encroachment",
-                   "--keep-boundary", "--split-crossings", "--merge-tolerance", "--help"],
+                   "--keep-boundary", "--split-crossings", "--merge-tolerance", "--help", "--radius-edge", "--max-volume",
+                   "--cell-size", "--join-coplanar", "--planarity-tolerance"],
         "info": ["--help"],
     }
 

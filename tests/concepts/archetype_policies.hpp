@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include <delref/core/observer.hpp>
@@ -15,7 +16,7 @@
 namespace archetypes {
 
 /// The events that an observer may watch.
-enum class Event { none, scanned, proposed, rejected, rejected_forever, before_insertion, after_insertion };
+enum class Event { none, scanned, proposed, rejected, rejected_forever, before_insertion, after_insertion, progress };
 
 /// Watches one event, or none.
 template <Event event, class Tr = Line>
@@ -29,6 +30,7 @@ struct Watches {
   }
   void on_before_insertion(const Tr&, const delref::Proposal<Tr>&) requires (event == Event::before_insertion) { ++times; }
   void on_after_insertion(const Tr&, Knot, const delref::Proposal<Tr>&) requires (event == Event::after_insertion) { ++times; }
+  void on_progress(const Tr&, std::span<const std::size_t>) requires (event == Event::progress) { ++times; }
 };
 
 /// What is left out of an archetype queue.

@@ -71,7 +71,8 @@ static_assert(does_not_follow<LevelPart::before_insertion> && does_not_follow<Le
 template <Event event>
 constexpr bool watches = Observer<Watches<event>, Line>;
 static_assert(watches<Event::scanned> && watches<Event::proposed> && watches<Event::rejected> && watches<Event::rejected_forever> &&
-              watches<Event::before_insertion> && watches<Event::after_insertion>);
+              watches<Event::before_insertion> && watches<Event::after_insertion> &&
+              watches<Event::progress>);
 static_assert(!watches<Event::none>);
 
 // -- queue

@@ -31,6 +31,7 @@ struct SomeTriangulation {
 template <EncroachmentPart part>
 constexpr bool encroaches = Encroachment2<NeverWithout<SomeTriangulation, part>, SomeTriangulation>;
 static_assert(encroaches<EncroachmentPart::none>);
+static_assert(explain_encroachment<NeverWithout<SomeTriangulation, EncroachmentPart::none>, SomeTriangulation>());
 static_assert(!encroaches<EncroachmentPart::copy> && !encroaches<EncroachmentPart::encroaches> &&
               !encroaches<EncroachmentPart::deletes_free_vertices>);
 
@@ -38,6 +39,7 @@ static_assert(!encroaches<EncroachmentPart::copy> && !encroaches<EncroachmentPar
 template <PointPart part>
 constexpr bool chooses = PointChoice2<CentroidWithout<part>>;
 static_assert(chooses<PointPart::none>);
+static_assert(explain_point_choice<CentroidWithout<PointPart::none>>());
 static_assert(!chooses<PointPart::copy> && !chooses<PointPart::point>);
 static_assert(PointChoice2<Circumcentre> && PointChoice2<OffCentre>);
 

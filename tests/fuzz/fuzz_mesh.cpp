@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <delref/io/tetgen_mesh.hpp>
 #include <delref/io/triangle_mesh.hpp>
 
 #include "survive.hpp"
@@ -14,5 +15,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     begin = end == std::string_view::npos ? text.size() : end + 2;
   }
   delref_fuzz::survive([&] { delref_fuzz::require_sound(delref::parse_triangle_mesh({parts[0], parts[1], parts[2], parts[3]}, "fuzz")); });
+  delref_fuzz::survive([&] { delref_fuzz::require_sound(delref::parse_tetgen_mesh({parts[0], parts[1], parts[2], parts[3]}, "fuzz")); });
   return 0;
 }

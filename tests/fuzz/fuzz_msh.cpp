@@ -6,5 +6,6 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text = delref_fuzz::text_of(data, size);
   delref_fuzz::survive([&] { delref_fuzz::require_sound(delref::parse_msh(text, "fuzz.msh")); });
+  delref_fuzz::survive([&] { delref_fuzz::require_sound(delref::parse_msh<delref::TetrahedralMesh>(text, "fuzz.msh")); });
   return 0;
 }

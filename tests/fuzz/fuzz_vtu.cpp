@@ -6,5 +6,6 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text = delref_fuzz::text_of(data, size);
   delref_fuzz::survive([&] { delref_fuzz::require_sound(delref::parse_vtu(std::string(text), "fuzz.vtu")); });
+  delref_fuzz::survive([&] { delref_fuzz::require_sound(delref::parse_vtu<delref::TetrahedralMesh>(std::string(text), "fuzz.vtu")); });
   return 0;
 }

@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include <delref/domain/invalid_input.hpp>
-#include <delref/mesh/planar_mesh.hpp>
+#include <delref/io/mesh_blocks.hpp>
 
 namespace delref_fuzz {
 
@@ -34,12 +34,15 @@ void survive(Read&& read) {
 }
 
 /// Every index is one of a point, and every vector has its length or is empty.
-inline void require_sound(const delref::PlanarMesh& mesh) {
+template <delref::IndexedMesh Mesh>
+void require_sound(const Mesh& mesh) {
   const auto fits = [](const auto& values, std::size_t size) { return values.empty() || values.size() == size; };
-  for (const auto& t : mesh.triangles) for (const auto v : t) require(v < mesh.points.size());
-  for (const auto& e : mesh.edges) for (const auto v : e) require(v < mesh.points.size());
   require(fits(mesh.point_markers, mesh.points.size()) && fits(mesh.carriers, mesh.points.size()) && fits(mesh.provenance, mesh.points.size()));
-  require(fits(mesh.regions, mesh.triangles.size()) && fits(mesh.edge_markers, mesh.edges.size()) && fits(mesh.edge_segments, mesh.edges.size()));
+  delref::detail::for_each_block(mesh, [&](const auto& block) {
+    for (const auto& cell : block.cells) for (const auto v : cell) require(v < mesh.points.size());
+    require(fits(block.labels, block.cells.size()));
+    require(block.elements == nullptr || fits(*block.elements, block.cells.size()));
+  });
 }
 
 }  // namespace delref_fuzz

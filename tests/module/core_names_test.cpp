@@ -4,10 +4,13 @@
 // std::optional that delref gives includes <optional>.
 #include <catch2/catch_test_macros.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <string>
 #include <thread>
@@ -94,12 +97,14 @@ struct Halve {
 
 struct Watcher {
   int scans = 0, proposals = 0, insertions = 0, rejections = 0;
+  std::size_t most_waiting = 0;
   void on_scanned(const Interval&) { ++scans; }
   void on_proposed(const Interval&, const delref::Proposal<Interval>&) { ++proposals; }
   void on_rejected(const Interval&, const delref::Proposal<Interval>&, delref::LevelIndex) { ++rejections; }
   void on_rejected_forever(const Interval&, const delref::Proposal<Interval>&, delref::Reason) { ++rejections; }
   void on_before_insertion(const Interval&, const delref::Proposal<Interval>&) {}
   void on_after_insertion(const Interval&, Interval::Vertex, const delref::Proposal<Interval>&) { ++insertions; }
+  void on_progress(const Interval&, std::span<const std::size_t> queued) { most_waiting = std::max(most_waiting, queued.front()); }
 };
 
 static_assert(delref::TriangulationTypes<Interval> && delref::FindsConflictZones<Interval> && delref::InsertsIntoZones<Interval> &&
@@ -107,13 +112,14 @@ static_assert(delref::TriangulationTypes<Interval> && delref::FindsConflictZones
 static_assert(delref::StoresElement<Interval, Interval::Edge> && delref::explain_triangulation<Interval>());
 static_assert(delref::Scans<Halve, Interval> && delref::Queues<Halve, Interval> && delref::Proposes<Halve, Interval> &&
               delref::Checks<Halve, Interval> && delref::Follows<Halve, Interval> && delref::MesherLevel<Halve, Interval>);
-static_assert(delref::explain_level<Halve, Interval>() && !delref::MesherLevel<Watcher, Interval>);
+static_assert(delref::explain_optional_members<Halve, Interval>() && delref::explain_level<Halve, Interval>() && !delref::MesherLevel<Watcher, Interval>);
 static_assert(delref::ObservesScan<Watcher, Interval> && delref::ObservesProposal<Watcher, Interval> &&
               delref::ObservesRejection<Watcher, Interval> && delref::ObservesRejectionForever<Watcher, Interval> &&
               delref::ObservesBeforeInsertion<Watcher, Interval> && delref::ObservesAfterInsertion<Watcher, Interval> &&
-              delref::Observer<Watcher, Interval> && delref::explain_observer<Watcher, Interval>());
+              delref::ObservesProgress<Watcher, Interval> && delref::Observer<Watcher, Interval> && delref::explain_observer<Watcher, Interval>());
 static_assert(delref::RefinementQueue<delref::LifoQueue<int>, int> && delref::RefinementQueue<delref::FifoQueue<int>, int> &&
               delref::RefinementQueue<delref::BucketQueue<int>, int> && delref::explain_queue<delref::LifoQueue<int>, int>());
+static_assert(std::same_as<delref::LifoQueue<int>, delref::ListQueue<int, delref::ListOrder::last_in_first_out>>);
 
 }  // namespace
 
@@ -142,6 +148,8 @@ TEST_CASE("a triangulation and a level of one's own refine by import of the core
   CHECK(watcher.scans == 1);
   CHECK(watcher.insertions == 15);
   CHECK(watcher.rejections == 0);
+  CHECK(watcher.most_waiting == 1);
+  CHECK(mesher.queued() == std::array<std::size_t, 1>{0});
   const delref::LevelCounts counts = outcome.levels.front();
   CHECK(counts.inserted == 15);
   CHECK(tr.provenance(16) == 0);
@@ -167,6 +175,8 @@ TEST_CASE("a stop token interrupts through the imported control") {
   const delref::Control control({}, source.get_token());
   CHECK(control.stop() == delref::Stop::token);
   CHECK_THROWS_AS(delref::throw_if_stopped(control), delref::Interrupted);
+  delref::StopCheck check(control);
+  CHECK_THROWS_AS(std::ranges::for_each(std::views::iota(0, 10'000), [&](int) { check(); }), delref::Interrupted);
 }
 
 TEST_CASE("an element set keeps places in slots of one's own") {

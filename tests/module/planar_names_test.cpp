@@ -34,7 +34,7 @@ TEST_CASE("a domain is meshed, judged and verified by import") {
   const auto [a, b, c] = result.mesh.triangles.front();
   const delref::TriangleMeasures measures(result.mesh.points[a], result.mesh.points[b], result.mesh.points[c]);
   CHECK(measures.area() > 0);
-  CHECK(delref::angle_degrees({1, 0}, {0, 1}) == Approx(90));
+  CHECK(delref::angle_degrees(delref::Vector2{1, 0}, delref::Vector2{0, 1}) == Approx(90));
 
   delref::PlanarCriteria criteria;
   criteria.min_angle_degrees = 25;
@@ -70,12 +70,14 @@ TEST_CASE("criteria are asked by import") {
   const auto field = [](delref::Point2) { return 1.0; };
   static_assert(delref::SizingField2<decltype(field)>);
   delref::explain_sizing_field<decltype(field)>();
-  CHECK(delref::checked_size(field, {0, 0}) == 1);
+  CHECK(delref::checked_size(field, delref::Point2{0, 0}) == 1);
   CHECK_FALSE(delref::SizeAtCentroid(field).is_met(t));
   const std::vector<delref::Point2> places{{0, 0}};
   const std::vector<double> sizes{0.5};
   CHECK(delref::PointSizing2(places, sizes, 1.0)({3, 4}) == 5.5);
 
+  static_assert(delref::explain_encroachment<delref::DiametralCircle, delref::ConstrainedDelaunay2<>>());
+  static_assert(delref::explain_point_choice<delref::Circumcentre>());
   static_assert(delref::TriangleCriterion<delref::MaximumArea> && delref::explain_triangle_criterion<delref::MaximumArea>());
   const delref::TriangleCriteria both(delref::MinimumAngle{}, delref::MaximumArea{0.1});
   CHECK(both.unmet(t) == "maximum area");

@@ -22,13 +22,19 @@ inline ReportedOptions default_options() {
   return options;
 }
 
+/// The options on the command line that have a meaning in one dimension only. Which one it is, the input file says.
+struct GivenOptions {
+  std::vector<std::string> of_plane, of_space;
+};
+
 struct MeshArguments {
   std::string input;
   std::vector<std::string> outputs;
   ReportedOptions options = default_options();
-  double smallest_edge = 0;
-  std::string report;      ///< empty: none
-  bool by_region = false;  ///< what the colours of an .svg tell
+  GivenOptions given;
+  std::string report;          ///< empty: none
+  bool svg_by_region = false;  ///< what the colours of an .svg tell
+  bool regions = false;        ///< print them
   bool strict = false;
   bool quiet = false;
 };
@@ -37,6 +43,7 @@ struct VerifyArguments {
   std::string input, mesh;
   std::string report;  ///< empty: the promises are in `options`
   ReportedOptions options = default_options();
+  GivenOptions given;
 };
 
 struct InfoArguments {

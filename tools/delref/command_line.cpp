@@ -54,6 +54,14 @@ CLI::Validator angle() {
       "");
 }
 
+CLI::Validator between(const std::string& what, double least, double most) {
+  return number(fmt::format("{} from {:g} to {:g}", what, least, most), [=](double x) { return x >= least && x <= most; });
+}
+/// The smallest bound that the library takes.
+CLI::Validator radius_edge() {
+  return number("a ratio of at least 1, under which refinement would never end", [](double x) { return std::isfinite(x) && x >= 1; });
+}
+
 CLI::Validator one_of(std::string first, std::string second) {
   return CLI::Validator(
       [=](std::string& text) {
@@ -68,35 +76,63 @@ CLI::App* add_command(CLI::App& program, const char* name, const char* help) {
   return command;
 }
 
-/// What `mesh` and `verify` both take. Gives the options, in case they exclude another one.
-std::vector<CLI::Option*> add_criteria(CLI::App& command, ReportedOptions& o) {
+using Options = std::vector<CLI::Option*>;
+
+/// Options of a command, by the dimension in which they have a meaning.
+struct Criteria {
+  Options of_both, of_plane, of_space;
+};
+
+/// What `mesh` and `verify` both take.
+Criteria add_criteria(CLI::App& command, ReportedOptions& o) {
+  Criteria criteria;
   CLI::Option* points = command.add_option("--size-points", o.size_points_file);
-  return {command.add_option("--min-angle", o.min_angle_degrees)->check(angle()),
-          command.add_option("--max-area", o.max_area)->check(positive("an area")),
-          command.add_option("--max-edge", o.max_edge)->check(positive("a length")),
-          points,
-          command.add_option("--gradation", o.gradation)->check(not_negative("a number"))->needs(points),
-          command.add_option("--encroachment", o.encroachment)->check(one_of("circle", "lens")),
-          command.add_flag("--keep-boundary", o.keep_boundary),
-          command.add_flag("--split-crossings", o.split_crossings),
-          command.add_option("--merge-tolerance", o.merge_tolerance)->check(not_negative("a length"))};
+  criteria.of_both = {points, command.add_option("--gradation", o.gradation)->check(not_negative("a number"))->needs(points),
+                      command.add_option("--merge-tolerance", o.merge_tolerance)->check(not_negative("a length"))};
+  criteria.of_plane = {command.add_option("--min-angle", o.min_angle_degrees)->check(angle()),
+                       command.add_option("--max-area", o.max_area)->check(positive("an area")),
+                       command.add_option("--max-edge", o.max_edge)->check(positive("a length")),
+                       command.add_option("--encroachment", o.encroachment)->check(one_of("circle", "lens")),
+                       command.add_flag("--keep-boundary", o.keep_boundary),
+                       command.add_flag("--split-crossings", o.split_crossings)};
+  criteria.of_space = {command.add_option("--radius-edge", o.radius_edge)->check(radius_edge()),
+                       command.add_option("--max-volume", o.max_volume)->check(positive("a volume")),
+                       command.add_option("--cell-size", o.cell_size)->check(positive("a length")),
+                       command.add_option("--join-coplanar", o.join_coplanar_degrees)->check(between("an angle in degrees", 0, 45)),
+                       command.add_option("--planarity-tolerance", o.planarity_tolerance)->check(between("a number", 0, 0.1))};
+  return criteria;
+}
+
+/// The names of the options that were given, before anything is checked that depends on the input.
+GivenOptions given_of(const Criteria& criteria) {
+  const auto names = [](const Options& options) {
+    std::vector<std::string> given;
+    for (const CLI::Option* option : options)
+      if (option->count() > 0) given.push_back(option->get_name());
+    return given;
+  };
+  return {names(criteria.of_plane), names(criteria.of_space)};
 }
 
 CLI::App* add_mesh(CLI::App& program, MeshArguments& a) {
   CLI::App* command = add_command(program, "mesh", mesh_help);
   command->add_option("IN", a.input)->required();
   command->add_option("-o,--output", a.outputs)->required()->allow_extra_args(false);
-  add_criteria(*command, a.options);
-  command->add_option("--points", a.options.points)->check(one_of("circumcentre", "off-centre"));
+  Criteria criteria = add_criteria(*command, a.options);
+  criteria.of_plane.push_back(
+      command->add_option("--points", a.options.points)->check(one_of("circumcentre", "off-centre")));
+  criteria.of_plane.push_back(
+      command->add_option_function<std::string>("--svg-colour", [&a](const std::string& by) { a.svg_by_region = by == "region"; })
+          ->check(one_of("angle", "region")));
   command->add_option_function<double>("--max-vertices", [&a](double n) { a.options.max_vertices = static_cast<std::size_t>(n); })
       ->check(whole("a whole number"));
   command->add_option("--time-limit", a.options.time_limit_seconds)->check(not_negative("a number of seconds"));
-  command->add_option("--smallest-edge", a.smallest_edge)->check(not_negative("a length"));
+  command->add_option("--smallest-edge", a.options.smallest_edge)->check(not_negative("a length"));
   command->add_option("--report", a.report);
-  command->add_option_function<std::string>("--svg-colour", [&a](const std::string& by) { a.by_region = by == "region"; })
-      ->check(one_of("angle", "region"));
+  command->add_flag("--regions", a.regions);
   command->add_flag("--strict", a.strict);
   command->add_flag("--quiet", a.quiet);
+  command->parse_complete_callback([&a, criteria] { a.given = given_of(criteria); });
   return command;
 }
 
@@ -105,7 +141,10 @@ CLI::App* add_verify(CLI::App& program, VerifyArguments& a) {
   command->add_option("IN", a.input)->required();
   command->add_option("MESH", a.mesh)->required();
   CLI::Option* report = command->add_option("--report", a.report);
-  for (CLI::Option* criterion : add_criteria(*command, a.options)) report->excludes(criterion);
+  const Criteria criteria = add_criteria(*command, a.options);
+  for (const Options& options : {criteria.of_both, criteria.of_plane, criteria.of_space})
+    for (CLI::Option* criterion : options) report->excludes(criterion);
+  command->parse_complete_callback([&a, criteria] { a.given = given_of(criteria); });
   return command;
 }
 

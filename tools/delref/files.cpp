@@ -2,6 +2,7 @@
 #include "files.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <system_error>
@@ -9,8 +10,11 @@
 
 #include <fmt/format.h>
 
+#include <delref/io/mesh_formats.hpp>
 #include <delref/io/planar_formats.hpp>
+#include <delref/io/polyhedral_formats.hpp>
 #include <delref/io/report_json.hpp>
+#include <delref/io/tetrahedral_formats.hpp>
 
 #include "exit_codes.hpp"
 
@@ -18,24 +22,64 @@ namespace delref::program {
 
 namespace fs = std::filesystem;
 
+Dimension dimension_of(const std::string& path, const Control& control) { return domain_dimension(path, control); }
+
+template <>
 Pslg read_domain(const std::string& path, const Control& control, std::vector<std::string>& notes) {
   PslgFile file = read_pslg(path, control);
   std::ranges::move(file.notes, std::back_inserter(notes));
   return std::move(file.pslg);
 }
 
+template <>
+Plc read_domain(const std::string& path, const Control& control, std::vector<std::string>& notes) {
+  PlcFile file = read_plc(path, control);
+  std::ranges::move(file.notes, std::back_inserter(notes));
+  return std::move(file.plc);
+}
+
+namespace {
+
+[[noreturn]] void refuse_mesh(const std::string& path, const char* why) {
+  throw InvalidInput(fmt::format("{}: {}; read the .vtu, .msh or .node of the same run instead", path, why));
+}
+
+/// For formats that only the planar mesher writes.
+void refuse_pictures(const std::string& path, const std::string& extension) {
+  if (extension == ".svg") refuse_mesh(path, "an .svg is a picture, with rounded coordinates and without the smallest triangles");
+  if (extension == ".off") refuse_mesh(path, "an .off file carries no subsegments, markers or regions, and is written only");
+}
+
+}  // namespace
+
+template <>
 PlanarMesh read_mesh(const std::string& path, const Control& control) {
   const std::string extension = delref::detail::lower_extension(path);
-  const auto refuse = [&](const char* why) {
-    throw InvalidInput(fmt::format("{}: {}; read the .vtu, .msh or .node of the same run instead", path, why));
-  };
-  if (extension == ".svg") refuse("an .svg is a picture, with rounded coordinates and without the smallest triangles");
-  if (extension == ".off") refuse("an .off file carries no subsegments, markers or regions, and is written only");
-  if (extension == ".mesh") refuse("a MEDIT .mesh file is written only");
+  refuse_pictures(path, extension);
+  if (extension == ".mesh") refuse_mesh(path, "the MEDIT .mesh file of a planar mesh is written only");
   return read_planar_mesh(path, control);
 }
 
-ReportedPromise read_promise(const std::string& path, const Control& control) { return read_report(path, control); }
+template <>
+TetrahedralMesh read_mesh(const std::string& path, const Control& control) {
+  return read_tetrahedral_mesh(path, control);
+}
+
+template <>
+AnyMesh read_mesh(const std::string& path, const Control& control) {
+  refuse_pictures(path, delref::detail::lower_extension(path));
+  return delref::read_mesh(path, control);
+}
+
+template <>
+ReportedPromise read_promise(const std::string& path, const Control& control) {
+  return read_report<Point2>(path, control);
+}
+
+template <>
+PolyhedralPromise read_promise(const std::string& path, const Control& control) {
+  return read_report<Point3>(path, control);
+}
 
 namespace {
 
@@ -55,9 +99,9 @@ void check_writable(const fs::path& path) {
   const OutputFile probe(path);
 }
 
-std::vector<fs::path> files_of(const std::string& output) {
+std::vector<fs::path> files_of(const std::string& output, Dimension dimension) {
   try {
-    return planar_mesh_files(output);
+    return dimension == Dimension::plane ? planar_mesh_files(output) : tetrahedral_mesh_files(output);
   } catch (const OutputError& error) {
     throw UsageError(error.what());
   }
@@ -65,42 +109,65 @@ std::vector<fs::path> files_of(const std::string& output) {
 
 }  // namespace
 
-void check_outputs(const OutputPlan& plan) {
+std::vector<fs::path> check_outputs(const OutputPlan& plan, Dimension dimension) {
   std::map<fs::path, std::string> taken;
   for (const std::string& input : plan.inputs) taken.emplace(resolved(input), "is read as input");
+  std::vector<fs::path> files;
   const auto take = [&](const fs::path& file, const std::string& use) {
     const auto [entry, is_new] = taken.emplace(resolved(file), use);
     if (!is_new) throw UsageError(fmt::format("{}: {} already; choose another name", file.string(), entry->second));
+    files.push_back(file);
   };
-  std::vector<fs::path> files;
   for (const std::string& output : plan.meshes)
-    for (const fs::path& file : files_of(output)) {
-      take(file, "would be written for -o " + output);
-      files.push_back(file);
-    }
-  if (!plan.report.empty()) {
-    take(plan.report, "would be written for --report");
-    files.emplace_back(plan.report);
-  }
+    for (const fs::path& file : files_of(output, dimension)) take(file, "would be written for -o " + output);
+  if (!plan.report.empty()) take(plan.report, "would be written for --report");
   for (const fs::path& file : files) check_writable(file);
+  return files;
 }
 
-std::vector<std::string> write_mesh(const std::string& path, const PlanarMesh& mesh, const Pslg& input, const RunReport& report,
-                                    bool colour_by_region) {
+void remove_partial_files(const std::vector<fs::path>& files) {
+  std::error_code ignored;
+  for (const fs::path& file : files) fs::remove(partial_path(file), ignored);
+}
+
+namespace {
+
+/// Writing is not stopped by the limit of the run, which kept time back for it.
+Control unlimited() { return Control({.time_limit = std::chrono::hours(24 * 365)}); }
+
+std::vector<std::string> names(const std::vector<fs::path>& files) {
+  std::vector<std::string> names;
+  for (const fs::path& file : files) names.push_back(file.string());
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::string> write_mesh(const std::string& path, const PlanarRun& run, const Pslg& input, const RunReport& report,
+                                    const MeshArguments& arguments) {
   PlanarFileContext context;
   context.input = &input;
   context.input_file = report.input_file;
-  context.picture.colouring = colour_by_region ? SvgColouring::region : SvgColouring::smallest_angle;
+  context.picture.colouring = arguments.svg_by_region ? SvgColouring::region : SvgColouring::smallest_angle;
   context.picture.title = fs::path(report.input_file).filename().string();
   if (report.options.min_angle_degrees > 0)
     context.picture.title += fmt::format(", angle bound {:g} degrees", report.options.min_angle_degrees);
   context.picture.unmet = report.outcome.unmet;
-  write_planar_mesh(path, mesh, context);
-  std::vector<std::string> names;
-  for (const fs::path& file : planar_mesh_files(path)) names.push_back(file.string());
-  return names;
+  write_planar_mesh(path, run.mesh, context, unlimited());
+  return names(planar_mesh_files(path));
+}
+
+std::vector<std::string> write_mesh(const std::string& path, const PolyhedralRun& run, const Plc& input,
+                                    const PolyhedralRunReport& report, const MeshArguments&) {
+  TetrahedralFileContext context;
+  context.input = &input;
+  context.original_point = run.original_point;
+  context.input_file = report.input_file;
+  write_tetrahedral_mesh(path, run.mesh, context, unlimited());
+  return names(tetrahedral_mesh_files(path));
 }
 
 void write_run_report(const std::string& path, const RunReport& report) { write_report(path, report); }
+void write_run_report(const std::string& path, const PolyhedralRunReport& report) { write_report(path, report); }
 
 }  // namespace delref::program

@@ -3,28 +3,43 @@
 // Every file that the program reads or writes goes through here, so that the readers and writers are compiled once.
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <delref/core/budget.hpp>
-#include <delref/domain/pslg.hpp>
 #include <delref/io/report.hpp>
 #include <delref/mesh/planar_mesh.hpp>
+#include <delref/mesh/tetrahedral_mesh.hpp>
+
+#include "arguments.hpp"
+#include "planar_run.hpp"
+#include "polyhedral_run.hpp"
 
 namespace delref {
-struct ReportedPromise;
-}
+template <class Point>
+struct BasicPromise;
+enum class Dimension : unsigned char;
+}  // namespace delref
 
 namespace delref::program {
 
-/// The domain in a file; what its reader has to say is added to `notes`. Throws `InvalidInput` and `Interrupted`.
-Pslg read_domain(const std::string& path, const Control& control, std::vector<std::string>& notes);
+/// Whether the domain in a file lies in the plane or in space. Throws `InvalidInput` and `Interrupted`.
+Dimension dimension_of(const std::string& path, const Control& control);
 
-/// The mesh in a file. Throws `InvalidInput`, also in words for the formats that are only written, and `Interrupted`.
-PlanarMesh read_mesh(const std::string& path, const Control& control);
+/// The domain in a file, a `Pslg` or a `Plc`; what its reader has to say is added to `notes`. Throws `InvalidInput` and `Interrupted`.
+template <class Domain>
+Domain read_domain(const std::string& path, const Control& control, std::vector<std::string>& notes);
 
-/// The promises of a report. Throws `InvalidInput` and `Interrupted`.
-ReportedPromise read_promise(const std::string& path, const Control& control);
+/// The mesh in a file, a `PlanarMesh`, a `TetrahedralMesh`, or a variant of both. Throws `InvalidInput`, also in words for the formats
+/// that are only written, and `Interrupted`.
+template <class Mesh>
+Mesh read_mesh(const std::string& path, const Control& control);
+
+/// The promises of a report of a run in the plane (`Point2`) or in space. Throws `InvalidInput` and `Interrupted`.
+template <class Point>
+BasicPromise<Point> read_promise(const std::string& path, const Control& control);
 
 /// The files that a run will write, and those that it must leave alone.
 struct OutputPlan {
@@ -33,15 +48,22 @@ struct OutputPlan {
   std::vector<std::string> inputs;
 };
 
-/// Throws `UsageError` for a name that says no format or that is used twice, and `OutputError` when a folder cannot be written.
-void check_outputs(const OutputPlan& plan);
+/// Every file that will be written. Throws `UsageError` for a name that says no format of the dimension or that is used twice, and
+/// `OutputError` when a folder cannot be written.
+std::vector<std::filesystem::path> check_outputs(const OutputPlan& plan, Dimension dimension);
 
-/// Writes a mesh in the format of the name; `report` has what a picture shows besides. Gives the files written. Throws
-/// `OutputError`.
-std::vector<std::string> write_mesh(const std::string& path, const PlanarMesh& mesh, const Pslg& input, const RunReport& report,
-                                    bool colour_by_region);
+/// Removes what is there of outputs that are being written. For a program that ends in the midst of that.
+void remove_partial_files(const std::vector<std::filesystem::path>& files);
 
-/// Throws `OutputError`.
+/// Writes the mesh of a run in the format of the name; `report` and `arguments` have what a picture shows besides. Gives the files
+/// written. Throws `OutputError`.
+std::vector<std::string> write_mesh(const std::string& path, const PlanarRun& run, const Pslg& input, const RunReport& report,
+                                    const MeshArguments& arguments);
+std::vector<std::string> write_mesh(const std::string& path, const PolyhedralRun& run, const Plc& input,
+                                    const PolyhedralRunReport& report, const MeshArguments& arguments);
+
+/// Throw `OutputError`.
 void write_run_report(const std::string& path, const RunReport& report);
+void write_run_report(const std::string& path, const PolyhedralRunReport& report);
 
 }  // namespace delref::program

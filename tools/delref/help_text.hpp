@@ -5,12 +5,13 @@
 
 namespace delref::program {
 
-inline constexpr const char* program_help = R"(delref: triangle meshes by Delaunay refinement, with a verdict you can trust
+inline constexpr const char* program_help = R"(delref: triangle and tetrahedral meshes by Delaunay refinement, with a verdict you can trust
 
 Usage: delref COMMAND ...
 
 Commands
-  mesh      mesh a planar domain: a coast, a map, a part with holes
+  mesh      mesh a planar domain (a coast, a map, a part with holes) or a solid one (a machine part,
+            rooms that share walls, a scanned surface)
   verify    check a mesh again, from scratch, against its input and what was asked for
   info      show the size, the quality and the labels of a mesh
 
@@ -18,10 +19,15 @@ Options
   -h, --help     this text; `delref COMMAND --help` explains a command
   --version      the version
 
-A first run
+A first run in the plane
   delref mesh coast.poly -o coast.svg -o coast.vtu
   delref verify coast.poly coast.vtu
   delref info coast.vtu
+
+A first run in space
+  delref mesh part.off -o part.vtu
+  delref verify part.off part.vtu
+  delref info part.vtu
 
 Exit codes
   0  every criterion is met, or unmet only where small angles of the input force it
@@ -37,27 +43,26 @@ inline constexpr const char* mesh_help = R"(delref mesh: mesh the domain that a 
 
 Usage: delref mesh IN -o OUT [-o OUT ...] [options]
 
-  IN             the domain: .poly or .node of Triangle, .geojson (polygons)
+The input says whether triangles fill a domain of the plane or tetrahedra one of space. Options are
+for both, or for the one under whose heading they stand.
+
+  IN             in the plane: .poly or .node of Triangle, .geojson (polygons)
+                 in space:     .poly or .smesh of TetGen (facets, regions, holes), and closed
+                               surfaces: .off, .obj, .ply, .stl
   -o, --output OUT
                  the mesh, in the format of the name; give it again for another format
                    .vtu   ParaView, VTK         .msh   gmsh 4.1
-                   .node  Triangle: .node, .ele, .edge and .poly of that name
-                   .mesh  MEDIT                 .off   viewers of surfaces
-                   .svg   a picture, for a browser
+                   .node  of the plane: Triangle's .node, .ele, .edge and .poly of that name
+                          of space: TetGen's .node, .ele, .face and .edge
+                   .mesh  MEDIT
+                 of the plane only:
+                   .off   viewers of surfaces   .svg   a picture, for a browser
 
-Shape of the triangles
+In the plane: triangles
   --min-angle D          no angle below D degrees, 0 <= D < 60 (default 20.7, which is proven to be
                          reached; 30 nearly always is, 33 mostly with --encroachment lens; 0: none)
-
-Size of the triangles (lengths in the unit of the input, areas in its square)
   --max-area A           no triangle larger than A; regions of the input may have their own bounds
   --max-edge L           no edge longer than L
-  --size-points FILE     edges no longer than the size at their place; FILE has lines `x y size`,
-                         and `#` begins a comment
-  --gradation G          how much the size grows per unit of distance from these points (default
-                         0.3; 0.2 is gentle, 1 abrupt)
-
-How to refine
   --encroachment circle|lens
                          circle (default): every edge is Delaunay. lens: constrained Delaunay, with
                          fewer triangles
@@ -65,21 +70,44 @@ How to refine
                          where new vertices go; off-centre (default) needs fewer of them
   --keep-boundary        do not split the segments that bound the domain; triangles that suffer are
                          listed as unmet
-
-Dirty input
   --split-crossings      cut segments that cross or overlap at each other, instead of refusing them
-  --merge-tolerance T    make one of vertices no farther apart than T (default 0: equal ones only)
-
-How much it may cost (the mesh reached so far is valid, and written)
-  --max-vertices N       stop at N vertices (default 20,000,000)
-  --time-limit S         stop after S seconds (default 3600)
-  --smallest-edge L      leave alone what has an edge no longer than L (default 0)
-  Ctrl-C                 stops in the same way; a second time, at once and without a mesh
-
-What is told
-  --report FILE          everything about the run, as JSON; `delref verify` can read it
   --svg-colour angle|region
                          what the colours of an .svg tell (default angle)
+
+In space: tetrahedra
+  --radius-edge B        no circumradius over B times the shortest edge of its tetrahedron, B >= 1
+                         (default 2, which is proven to be reached where input elements meet at 90
+                         degrees or more; 1.4 nearly always is; 0.61 is the regular tetrahedron)
+  --max-volume V         no tetrahedron larger than V; regions of the input may have bounds of their
+                         own
+  --cell-size S          no circumradius greater than S
+  --join-coplanar ANGLE  make one facet of neighbours whose planes differ by at most ANGLE degrees
+                         (0 to 45; such as 0.01), so that a box of twelve triangles has six facets
+  --planarity-tolerance T
+                         how far a vertex may be off the plane of its facet, in parts of the facet's
+                         diameter (default 1e-5)
+
+In both: sizes from place to place (lengths in the unit of the input)
+  --size-points FILE     sizes at points: edges of triangles are no longer, and circumradii of
+                         tetrahedra no greater, than the size at their place. FILE has lines
+                         `x y size` or `x y z size`, and `#` begins a comment
+  --gradation G          how much the size grows per unit of distance from these points (default
+                         0.3; 0.2 is gentle, 1 abrupt)
+
+In both: dirty input
+  --merge-tolerance T    make one of vertices no farther apart than T (default 0: equal ones only)
+
+In both: how much it may cost (the mesh reached so far is written. It is valid; but in space, when
+some facets could not be brought into it yet, that is told, and when all is missing none is written)
+  --max-vertices N       stop at N vertices (default 20,000,000)
+  --time-limit S         end within S seconds, writing included (default 3600)
+  --smallest-edge L      leave alone what has an edge no longer than L (default 0)
+  Ctrl-C                 stops in the same way; a second time, at once: what is not yet
+                         complete is not written
+
+In both: what is told
+  --report FILE          everything about the run, as JSON; `delref verify` can read it
+  --regions              print how many elements each region has, and its area or volume
   --strict               exit code 4 even for what only small input angles leave unmet
   --quiet                print only errors and what is unmet
   -h, --help             this text
@@ -87,43 +115,59 @@ What is told
 Examples
   delref mesh coast.poly -o coast.svg
         the smallest good mesh, as a picture
-  delref mesh part.poly -o part.msh --min-angle 30 --max-edge 0.5 --report part.json
+  delref mesh plate.poly -o plate.msh --min-angle 30 --max-edge 0.5 --report plate.json
         angles of at least 30 degrees, edges of at most 0.5, and a report
   delref mesh borders.geojson -o borders.vtu --split-crossings --merge-tolerance 1e-9
         input whose borders cross and do not quite meet
+  delref mesh part.off -o part.vtu
+        the solid that a closed surface bounds
+  delref mesh box.stl -o box.msh --join-coplanar 0.01 --cell-size 0.1
+        its flat sides meshed as such, and tetrahedra of about one size
+  delref mesh rooms.smesh -o rooms.vtu --radius-edge 1.4 --regions
+        rooms that share walls, each with the label and the volume bound that the file gives it
 
 Exit codes
   0 every criterion met, or unmet only where small input angles force it; 1 an output cannot be
-  written; 2 usage; 3 invalid input; 4 unmet for another reason, or a budget reached (mesh written);
-  5 interrupted (mesh written)
+  written; 2 usage; 3 invalid input; 4 unmet for another reason, or a budget reached (mesh written,
+  if there was one); 5 interrupted (the same)
 )";
 
 inline constexpr const char* verify_help = R"(delref verify: check a mesh against its input and what was asked for
 
 Everything is checked again from the two files, with exact predicates and none of the mesher's code:
-that the triangles cover the domain once, follow every segment of the input, are Delaunay, carry the
-labels, and meet each criterion. Small angles are excused only where small input angles force them.
+that the triangles or tetrahedra cover the domain once, follow every segment (and facet) of the
+input, are Delaunay, carry the labels, and meet each criterion. Bad shapes are excused only where
+small input angles force them.
 
 Usage: delref verify IN MESH --report FILE
        delref verify IN MESH [criteria as given to `delref mesh`]
 
-  IN             the domain that was meshed: .poly, .node or .geojson
-  MESH           the mesh: .vtu, .msh, or .node / .ele (.mesh, .off and .svg do not carry enough)
+  IN             the domain that was meshed, as `delref mesh` reads it
+  MESH           the mesh: .vtu, .msh, .node / .ele; of space also .mesh
+                 (.off, .svg and the .mesh of a planar mesh do not carry enough)
 
 What was promised
   --report FILE          the report of the run: what was asked for, and what it says is unmet.
                          A mesh that was stopped early is verified with this
-or
+or, in both
+  --size-points FILE     sizes at points, lines `x y size` or `x y z size`
+  --gradation G          how the size grows away from them (default 0.3)
+  --merge-tolerance T    vertices no farther apart than T were merged first
+in the plane
   --min-angle D          no angle below D degrees (default 20.7; 0: no bound)
   --max-area A           no triangle larger than A
   --max-edge L           no edge longer than L
-  --size-points FILE     sizes at points, lines `x y size`
-  --gradation G          how the size grows away from them (default 0.3)
   --encroachment circle|lens
                          circle (default): every edge must be Delaunay; lens: but for segments
   --keep-boundary        no vertex was inserted on the boundary of the domain
   --split-crossings      the input was split at crossings first
-  --merge-tolerance T    vertices no farther apart than T were merged first
+in space
+  --radius-edge B        no circumradius over B times the shortest edge (default 2)
+  --max-volume V         no tetrahedron larger than V
+  --cell-size S          no circumradius greater than S
+  --join-coplanar ANGLE  facets within ANGLE degrees of each other were joined first
+  --planarity-tolerance T
+                         facets were taken to be flat within T of their diameter (default 1e-5)
 
   -h, --help             this text
 
@@ -131,6 +175,7 @@ Examples
   delref mesh coast.poly -o coast.vtu --min-angle 30 --report coast.json
   delref verify coast.poly coast.vtu --report coast.json
   delref verify coast.poly coast.vtu --min-angle 30
+  delref verify part.off part.vtu --radius-edge 1.4
 
 Exit codes
   0 the mesh is what was promised; 2 usage; 3 a file cannot be read; 5 interrupted;
@@ -141,12 +186,13 @@ inline constexpr const char* info_help = R"(delref info: show the size, the qual
 
 Usage: delref info MESH
 
-  MESH           the mesh: .vtu, .msh, or .node / .ele
+  MESH           the mesh: .vtu, .msh, .node / .ele; of space also .mesh
   -h, --help     this text
 
-Shows how many vertices and triangles there are, the range of angles, edge lengths and areas, how
-the angles are spread, and how many triangles have each region label and edges each marker. Angles
-are in degrees, lengths in the unit of the mesh.
+Shows how many vertices and triangles or tetrahedra there are, the range of angles, edge lengths and
+areas or volumes, and how the angles are spread; in space also radius-edge ratios and slivers. Then
+how many elements have each region label, and triangles on facets and edges each marker. Angles are
+in degrees, lengths in the unit of the mesh.
 
 Example
   delref info coast.vtu

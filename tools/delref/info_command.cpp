@@ -2,103 +2,31 @@
 //
 // `delref info`: the quality table, and how many elements carry each label.
 #include <chrono>
-#include <cmath>
-#include <cstddef>
 #include <cstdio>
-#include <map>
 #include <string>
+#include <variant>
 
 #include <fmt/format.h>
 
 #include <delref/core/budget.hpp>
-#include <delref/mesh/planar_mesh.hpp>
+#include <delref/io/mesh_formats.hpp>
 #include <delref/mesh/quality.hpp>
 #include <delref/mesh/quality_table.hpp>
+#include <delref/mesh/tetrahedral_quality.hpp>
+#include <delref/mesh/tetrahedral_quality_table.hpp>
 
 #include "commands.hpp"
 #include "files.hpp"
 #include "interrupt.hpp"
+#include "label_tables.hpp"
 #include "progress.hpp"
-#include "words.hpp"
 
 namespace delref::program {
 namespace {
 
-struct Tally {
-  std::size_t count = 0;
-  double measure = 0;
-};
-using Tallies = std::map<int, Tally>;
-
-double area(const PlanarMesh& mesh, std::size_t t) {
-  const auto& [a, b, c] = mesh.triangles[t];
-  return 0.5 * cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]);
-}
-
-double length(const PlanarMesh& mesh, std::size_t e) {
-  const Vector2 v = mesh.points[mesh.edges[e][1]] - mesh.points[mesh.edges[e][0]];
-  return std::hypot(v.x, v.y);
-}
-
-/// Rows by label, at most so many that they fit on a screen.
-std::string table(const char* title, const char* label, const char* count, const char* measure, const Tallies& tallies) {
-  constexpr std::size_t most_rows = 30;
-  std::string text = fmt::format("\n{}\n  {:>10} {:>12}", title, label, count);
-  if (*measure != '\0') text += fmt::format(" {:>14}", measure);
-  text += '\n';
-  std::size_t rows = 0;
-  for (const auto& [key, tally] : tallies) {
-    if (rows++ == most_rows) {
-      text += fmt::format("  {:>10}\n", fmt::format("... and {} more", grouped(tallies.size() - most_rows)));
-      break;
-    }
-    text += fmt::format("  {:>10} {:>12}", key, grouped(tally.count));
-    if (*measure != '\0') text += fmt::format(" {:>14.6g}", tally.measure);
-    text += '\n';
-  }
-  return text;
-}
-
-std::string regions(const PlanarMesh& mesh) {
-  if (mesh.regions.empty()) return "\nThe file carries no regions.\n";
-  Tallies tallies;
-  for (std::size_t t = 0; t < mesh.regions.size(); ++t) {
-    Tally& tally = tallies[mesh.regions[t]];
-    ++tally.count;
-    tally.measure += area(mesh, t);
-  }
-  return table("Regions:", "label", "triangles", "area", tallies);
-}
-
-std::string subsegments(const PlanarMesh& mesh) {
-  if (mesh.edges.empty()) return "\nThe file carries no subsegments.\n";
-  Tallies tallies;
-  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
-    Tally& tally = tallies[mesh.edge_markers.empty() ? 0 : mesh.edge_markers[e]];
-    ++tally.count;
-    tally.measure += length(mesh, e);
-  }
-  return table("Subsegments (edges on segments of the input):", "marker", "edges", "length", tallies);
-}
-
-std::string vertices(const PlanarMesh& mesh) {
-  std::string text;
-  if (!mesh.point_markers.empty()) {
-    Tallies tallies;
-    for (const int marker : mesh.point_markers) ++tallies[marker].count;
-    text += table("Vertices:", "marker", "vertices", "", tallies);
-  }
-  if (mesh.provenance.empty()) return text;
-  std::map<LevelIndex, std::size_t> inserted;
-  for (const LevelIndex level : mesh.provenance) ++inserted[level];
-  text += "\nWho made the vertices:\n";
-  for (const auto& [level, count] : inserted) {
-    const std::string name = level < mesh.level_names.size() ? mesh.level_names[level]
-                             : level == input_level          ? "input"
-                                                             : fmt::format("level {}", level);
-    text += fmt::format("  {:>10} {:>12}\n", name, grouped(count));
-  }
-  return text;
+std::string description(const PlanarMesh& mesh, const Control&) { return quality_table(planar_quality(mesh)) + label_tables(mesh); }
+std::string description(const TetrahedralMesh& mesh, const Control& control) {
+  return quality_table(tetrahedral_quality(mesh, control)) + label_tables(mesh);
 }
 
 }  // namespace
@@ -109,9 +37,9 @@ ExitCode run(const InfoArguments& arguments) {
   Progress progress(true, signals.token());
   try {
     progress.begin("reading");
-    const PlanarMesh mesh = read_mesh(arguments.mesh, control);
+    const auto mesh = read_mesh<AnyMesh>(arguments.mesh, control);
     progress.begin("measuring");
-    const std::string text = quality_table(planar_quality(mesh)) + regions(mesh) + subsegments(mesh) + vertices(mesh);
+    const std::string text = std::visit([&](const auto& its) { return description(its, control); }, mesh);
     progress.finish();
     fmt::print("{}\n\n{}", arguments.mesh, text);
     return ExitCode::ok;

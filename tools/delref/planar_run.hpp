@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The two pieces of the library that take a compiler long, each compiled in a file of its own: the mesher with the program's
-// observer, and the verification.
+// What the commands need of the plane. The two pieces of the library that take a compiler long are each compiled in a file of their
+// own: the mesher with the program's observer, and the verification.
 #pragma once
 
 #include <string>
@@ -16,6 +16,7 @@
 #include <delref/mesh/verify/criteria.hpp>
 #include <delref/mesh/verify/report.hpp>
 
+#include "options.hpp"
 #include "progress.hpp"
 
 namespace delref::program {
@@ -35,5 +36,17 @@ PlanarRun run_mesher(Pslg input, const PlanarOptions& options, const Control& co
 /// bad indices or numbers, and `Interrupted`.
 VerifyReport run_verification(Pslg input, const PlanarMesh& mesh, PlanarCriteria criteria, const ReportedOptions& options,
                               const Control& control);
+
+/// What a run of the program in the plane is made of (`mesh_run.hpp`, verify_command.cpp).
+struct Plane {
+  using Point = Point2;
+  using Domain = Pslg;
+  using Mesh = PlanarMesh;
+  using Run = PlanarRun;
+  using Report = RunReport;
+
+  static PlanarOptions options(const ReportedOptions& o) { return planar_options(o); }
+  static PlanarCriteria criteria(const ReportedOptions& o) { return planar_criteria(o); }
+};
 
 }  // namespace delref::program

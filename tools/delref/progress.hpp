@@ -4,16 +4,17 @@
 // read and checked as well; the work only stores a number now and then.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <mutex>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <thread>
-
-#include <delref/core/proposal.hpp>
 
 namespace delref::program {
 
@@ -32,6 +33,8 @@ class Progress {
   const char* stage() const { return stage_.load(std::memory_order_relaxed); }
   /// Wipes the line and draws no more.
   void finish();
+  /// The same for the last words of a program that ends without destroying anything. From any thread.
+  void silence();
 
   template <class Tr>
   void on_scanned(const Tr& tr) {
@@ -40,8 +43,11 @@ class Progress {
     begin("refining");
   }
   template <class Tr>
-  void on_after_insertion(const Tr& tr, typename Tr::Vertex, const Proposal<Tr>&) {
-    if (++insertions_ % 1024 == 0) vertices_.store(tr.number_of_vertices(), std::memory_order_relaxed);
+  void on_progress(const Tr& tr, std::span<const std::size_t> queued) {
+    vertices_.store(tr.number_of_vertices(), std::memory_order_relaxed);
+    for (std::size_t level = 0; level < std::min(queued.size(), waiting_.size()); ++level)
+      waiting_[level].store(queued[level], std::memory_order_relaxed);
+    in_space_.store(Tr::dimension == 3, std::memory_order_relaxed);
   }
 
  private:
@@ -49,13 +55,16 @@ class Progress {
 
   void draw_until(const std::stop_token& finished);
   void draw() const;
+  std::string waiting() const;
 
   std::atomic<const char*> stage_{"starting"};
   std::atomic<std::size_t> vertices_{0};
+  std::array<std::atomic<std::size_t>, 3> waiting_{};  ///< per level
+  std::atomic<bool> in_space_{false};
   std::atomic<bool> refining_{false};
-  std::size_t insertions_ = 0;
   Clock::time_point start_ = Clock::now();
   std::stop_token stop_;
+  const bool shown_;
   std::mutex mutex_;
   std::condition_variable_any tick_;
   std::jthread drawer_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "size_points.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include <fmt/format.h>
@@ -38,39 +40,56 @@ std::optional<double> number(std::string_view word) {
   return value;
 }
 
-/// The three numbers of a line, or why they are not what they should be.
+Point2 point_of(const std::array<double, 3>& numbers) { return {numbers[0], numbers[1]}; }
+Point3 point_of(const std::array<double, 4>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
+
+/// The coordinates of a point and its size.
+template <class Point>
+using Numbers = std::array<double, std::is_same_v<Point, Point2> ? 3 : 4>;
+template <class Point>
+constexpr const char* format_of_line = std::is_same_v<Point, Point2> ? "`x y size`" : "`x y z size`";
+template <class Point>
+constexpr const char* count_of_numbers = std::is_same_v<Point, Point2> ? "three" : "four";
+
+/// The numbers of a line, or why they are not what they should be.
+template <class Point>
 struct SizeLine {
-  std::array<double, 3> numbers{};
+  Numbers<Point> numbers{};
   std::string complaint;
 };
 
-SizeLine parse_line(std::string_view line) {
-  SizeLine result;
+template <class Point>
+SizeLine<Point> parse_line(std::string_view line) {
+  SizeLine<Point> result;
   for (double& value : result.numbers) {
     const std::string_view word = next_word(line);
     const auto parsed = number(word);
     if (!parsed) {
-      result.complaint = word.empty() ? "has fewer than three numbers; write `x y size`"
-                                      : fmt::format("\"{}\" is not a number; write `x y size`", word.substr(0, 40));
+      result.complaint = word.empty() ? fmt::format("has fewer than {} numbers; write {}", count_of_numbers<Point>, format_of_line<Point>)
+                                      : fmt::format("\"{}\" is not a number; write {}", word.substr(0, 40), format_of_line<Point>);
       return result;
     }
     value = *parsed;
   }
-  const auto [x, y, size] = result.numbers;
+  const Point point = point_of(result.numbers);
+  const double size = result.numbers.back();
+  const auto is_placed = [](double coordinate) { return std::abs(coordinate) <= largest_coordinate; };
   if (const std::string_view more = next_word(line); !more.empty())
-    result.complaint = fmt::format("\"{}\" follows the three numbers `x y size`; give each point a line", more.substr(0, 40));
-  else if (!(std::abs(x) <= largest_coordinate && std::abs(y) <= largest_coordinate))
-    result.complaint = fmt::format("the point {} is not within 1e150 of the origin", describe(Point2{x, y}));
+    result.complaint = fmt::format("\"{}\" follows the {} numbers {}; give each point a line", more.substr(0, 40),
+                                   count_of_numbers<Point>, format_of_line<Point>);
+  else if (!std::all_of(result.numbers.begin(), result.numbers.end() - 1, is_placed))
+    result.complaint = fmt::format("the point {} is not within 1e150 of the origin", describe(point));
   else if (!(size > 0 && std::isfinite(size)))
-    result.complaint = fmt::format("the size at {} is {}; it must be greater than 0", describe(Point2{x, y}), describe(size));
+    result.complaint = fmt::format("the size at {} is {}; it must be greater than 0", describe(point), describe(size));
   return result;
 }
 
 }  // namespace
 
-std::function<double(Point2)> read_size_points(const std::string& path, double gradation, const Control& control) {
+template <class Point>
+std::function<double(Point)> read_size_points(const std::string& path, double gradation, const Control& control) {
   const std::string text = read_file(path, control);
-  std::vector<Point2> points;
+  std::vector<Point> points;
   std::vector<double> sizes;
   DefectList defects;
   std::string_view rest = text;
@@ -80,19 +99,22 @@ std::function<double(Point2)> read_size_points(const std::string& path, double g
     rest.remove_prefix(std::min(full_line.size() + 1, rest.size()));
     const std::string_view line = full_line.substr(0, full_line.find('#'));
     if (line.find_first_not_of(blanks) == std::string_view::npos) continue;
-    const SizeLine parsed = parse_line(line);
+    const SizeLine<Point> parsed = parse_line<Point>(line);
     if (!parsed.complaint.empty()) {
       defects.add(fmt::format("{}, line {}: {}", path, line_number, parsed.complaint));
       continue;
     }
-    points.push_back({parsed.numbers[0], parsed.numbers[1]});
-    sizes.push_back(parsed.numbers[2]);
+    points.push_back(point_of(parsed.numbers));
+    sizes.push_back(parsed.numbers.back());
   }
   if (!defects.empty()) throw InvalidInput(defects.take());
-  if (points.empty()) throw InvalidInput(fmt::format("{}: has no size points; write lines `x y size`", path));
+  if (points.empty()) throw InvalidInput(fmt::format("{}: has no size points; write lines {}", path, format_of_line<Point>));
   // Shared, for the mesher copies its criteria, and a sizing of a million points is large.
-  const auto sizing = std::make_shared<const PointSizing2>(points, sizes, gradation);
-  return [sizing](Point2 p) { return (*sizing)(p); };
+  const auto sizing = std::make_shared<const PointSizing<Point>>(points, sizes, gradation);
+  return [sizing](Point p) { return (*sizing)(p); };
 }
+
+template std::function<double(Point2)> read_size_points(const std::string&, double, const Control&);
+template std::function<double(Point3)> read_size_points(const std::string&, double, const Control&);
 
 }  // namespace delref::program

@@ -28,6 +28,7 @@
 
 #include <concepts>
 
+#include <delref/core/level_members.hpp>
 #include <delref/core/proposal.hpp>
 #include <delref/core/triangulation_concept.hpp>
 #include <delref/core/verdict.hpp>
@@ -70,8 +71,8 @@ concept Follows = requires(L& level, Tr& tr, const Proposal<Tr>& proposal, typen
 template <class L, class Tr>
 concept MesherLevel = std::move_constructible<L> && Scans<L, Tr> && Queues<L, Tr> && Proposes<L, Tr> && Checks<L, Tr> && Follows<L, Tr>;
 
-/// Fails to compile with one sentence per missing part. Write `static_assert(delref::explain_level<MyLevel, Tr>());` beside a
-/// level of your own; `Mesher` does it for all of its levels.
+/// Fails to compile with one sentence per missing part, and per optional member that the frame would pass over. Write
+/// `static_assert(delref::explain_level<MyLevel, Tr>());` beside a level of your own; `Mesher` does it for all of its levels.
 template <class L, class Tr>
 consteval bool explain_level() {
   static_assert(std::move_constructible<L>, "a mesher level needs: to be movable, since a mesher owns its levels by value");
@@ -86,7 +87,8 @@ consteval bool explain_level() {
   static_assert(Follows<L, Tr>,
                 "a mesher level needs: before_insertion(tr, proposal) that takes dying elements out of its set, and "
                 "after_insertion(tr, vertex, proposal) that looks at the new ones");
-  return MesherLevel<L, Tr>;
+  if constexpr (MesherLevel<L, Tr>) return explain_optional_members<L, Tr>();
+  else return false;
 }
 
 }  // namespace delref

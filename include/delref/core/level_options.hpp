@@ -7,7 +7,7 @@
 //   hint(tr, e)                              where the search for the point starts               default: the element
 //   conflict_zone(tr, e, p, zone)            a zone of its own, e.g. with vanishing vertices     default: tr.conflict_zone
 //   insert(tr, p, zone)                      an insertion of its own, e.g. with a weight         default: tr.insert
-//   element_vertices(tr, e)                  the vertices of its element                         default: tr.vertices(e)
+//   element_vertices(tr, e)                  the vertices of its element, 4 at most              default: tr.vertices(e)
 //   dies(tr, e, zone)                        whether the zone kills its element                  default: tr.dies(e, zone)
 //   carrier(tr, e)                           what the new vertex lies on                         default: the inside
 //   give_up(tr, e)                           an optional Reason to leave e alone, before asking  default: never
@@ -16,9 +16,13 @@
 //   rejection_reason() const                 why it last answered rejected_forever               default: rejected_by_level
 //   unmet_criterion(tr, e)                   the name of what e violates                         default: the level's name
 //   for_each_queued(f)                       calls f(e) for each element still in its set        default: not listed
+//   holds(tr, vertices) const                whether the element of these vertices is still its   default: tr.is_simplex(vertices)
+//   queued() const                           how many elements are in its set, in O(1)           default: 1 unless empty
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -109,9 +113,23 @@ std::string unmet_criterion(const L& level, LevelIndex index, const Tr& tr, cons
   else return name(level, index);
 }
 
+/// Whether an element that was given up is still there. A level whose elements the triangulation does not store, or which may be
+/// missing from it, answers for itself.
+template <class L, class Tr>
+bool holds(const L& level, const Tr& tr, std::span<const typename Tr::Vertex> vertices) {
+  if constexpr (requires { level.holds(tr, vertices); }) return level.holds(tr, vertices);
+  else return tr.is_simplex(vertices);
+}
+
 template <class L, class F>
 void for_each_queued(const L& level, F&& f) {
   if constexpr (requires { level.for_each_queued(f); }) level.for_each_queued(f);
+}
+
+template <class L>
+std::size_t queued(const L& level) {
+  if constexpr (requires { std::size_t{level.queued()}; }) return level.queued();
+  else return level.empty() ? 0 : 1;
 }
 
 }  // namespace delref::level_options

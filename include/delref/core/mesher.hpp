@@ -10,6 +10,8 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <span>
+#include <stdexcept>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -100,6 +102,14 @@ class Mesher {
     return scanned_ && std::apply([](const auto&... level) { return (level.empty() && ...); }, levels_);
   }
 
+  /// How many elements wait in the set of each level, as far as the levels tell: a level without `queued()` counts for 1 unless its
+  /// set is empty. Constant time.
+  std::array<std::size_t, level_count> queued() const {
+    std::array<std::size_t, level_count> counts{};
+    each_level([&](auto index, const auto& level) { counts[index] = level_options::queued(level); });
+    return counts;
+  }
+
   /// Steps until every set is empty or the control says stop; may be called again to go on.
   template <class... Observers>
   Outcome<Point> refine(const Control& control = Control{}, Observers&... observers) {
@@ -107,7 +117,7 @@ class Mesher {
     std::optional<Stop> stopped;
     for (std::size_t steps = 0; !stopped; ++steps) {
       if (tr_->number_of_vertices() >= control.budget().max_vertices && !done()) stopped = Stop::vertices;
-      else if (steps % 256 == 0 && (stopped = control.stop()) && done()) stopped.reset();
+      else if (steps % steps_between_looks == 0) stopped = look_up(control, observers...);
       if (!stopped && step(observers...) == Step::done) break;
     }
     Outcome<Point> result = outcome();
@@ -141,6 +151,16 @@ class Mesher {
     std::array<std::size_t, 4> indices;
     std::size_t vertex_count;
   };
+
+  /// What the clock and the token are asked after, and observers are told how far the run is.
+  static constexpr std::size_t steps_between_looks = 256;
+
+  template <class... Observers>
+  std::optional<Stop> look_up(const Control& control, Observers&... observers) const {
+    if constexpr ((ObservesProgress<Observers, Tr> || ...)) notify::progress(std::as_const(*tr_), queued(), observers...);
+    const std::optional<Stop> stopped = control.stop_refining(tr_->number_of_vertices());
+    return stopped && !done() ? stopped : std::nullopt;
+  }
 
   template <class F>
   void each_level(F&& f) {
@@ -198,8 +218,7 @@ class Mesher {
     const typename L::Element element = level.next_element();
     Proposal<Tr> proposal;
     proposal.level = static_cast<LevelIndex>(I);
-    for (const Vertex v : level_options::element_vertices(level, std::as_const(*tr_), element))
-      proposal.vertices[proposal.vertex_count++] = v;
+    proposal.vertex_count = put_vertices(level, element, proposal.vertices);
 
     if (const auto reason = level_options::give_up(level, *tr_, element)) return drop<I>(element, proposal, *reason, observers...);
     proposal.point = level.refinement_point(std::as_const(*tr_), element);
@@ -287,17 +306,38 @@ class Mesher {
   bool is_still_there(const GivenUp& g) const {
     for (std::size_t i = 0; i < g.vertex_count; ++i)
       if (g.indices[i] < vanished_.size() && vanished_[g.indices[i]]) return false;
-    return tr_->is_simplex(std::span(g.vertices.data(), g.vertex_count));
+    const std::span<const Vertex> vertices(g.vertices.data(), g.vertex_count);
+    bool holds = false;
+    each_level([&](auto index, const auto& level) {
+      if (index == g.level) holds = level_options::holds(level, std::as_const(*tr_), vertices);
+    });
+    return holds;
   }
 
   template <class L, class E>
   GivenUp given_up(const L& level, LevelIndex index, const E& element, Reason reason) const {
     GivenUp g{index, reason, level_options::unmet_criterion(level, index, std::as_const(*tr_), element), {}, {}, 0};
-    for (const Vertex v : level_options::element_vertices(level, std::as_const(*tr_), element)) {
-      g.vertices[g.vertex_count] = v;
-      g.indices[g.vertex_count++] = tr_->index(v);
-    }
+    g.vertex_count = put_vertices(level, element, g.vertices);
+    for (std::size_t i = 0; i < g.vertex_count; ++i) g.indices[i] = tr_->index(g.vertices[i]);
     return g;
+  }
+
+  /// Gives their number. An element of too many vertices is refused: when compiling where its range tells its size, else when met.
+  template <class L, class E>
+  std::size_t put_vertices(const L& level, const E& element, std::array<Vertex, Proposal<Tr>::max_vertices>& out) const {
+    auto&& vertices = level_options::element_vertices(level, std::as_const(*tr_), element);
+    using Range = std::remove_cvref_t<decltype(vertices)>;
+    constexpr bool tells_size = requires { std::tuple_size<Range>::value; };
+    if constexpr (tells_size)
+      static_assert(std::tuple_size<Range>::value <= Proposal<Tr>::max_vertices,
+                    "an element of a level has at most 4 vertices, and element_vertices(tr, element) gives more");
+    std::size_t count = 0;
+    for (const Vertex v : vertices) {
+      if constexpr (!tells_size)
+        if (count == out.size()) throw std::length_error("delref: a level has an element of more than 4 vertices");
+      out[count++] = v;
+    }
+    return count;
   }
 
   Unmet<Point> describe(const GivenUp& g) const {

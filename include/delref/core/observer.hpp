@@ -4,6 +4,9 @@
 // levels and sees what they see.
 #pragma once
 
+#include <cstddef>
+#include <span>
+
 #include <delref/core/carrier.hpp>
 #include <delref/core/proposal.hpp>
 #include <delref/core/verdict.hpp>
@@ -25,11 +28,15 @@ concept ObservesBeforeInsertion = requires(O& o, const Tr& tr, const Proposal<Tr
 template <class O, class Tr>
 concept ObservesAfterInsertion =
     requires(O& o, const Tr& tr, typename Tr::Vertex v, const Proposal<Tr>& p) { o.on_after_insertion(tr, v, p); };
+/// `queued[i]` elements wait in the set of level i. Sent by `Mesher::refine` every few hundred steps.
+template <class O, class Tr>
+concept ObservesProgress = requires(O& o, const Tr& tr, std::span<const std::size_t> queued) { o.on_progress(tr, queued); };
 
 /// Watches at least one event of a run on `Tr`.
 template <class O, class Tr>
 concept Observer = ObservesScan<O, Tr> || ObservesProposal<O, Tr> || ObservesRejection<O, Tr> ||
-                   ObservesRejectionForever<O, Tr> || ObservesBeforeInsertion<O, Tr> || ObservesAfterInsertion<O, Tr>;
+                   ObservesRejectionForever<O, Tr> || ObservesBeforeInsertion<O, Tr> || ObservesAfterInsertion<O, Tr> ||
+                   ObservesProgress<O, Tr>;
 
 /// Fails to compile with a sentence when `O` watches nothing.
 template <class O, class Tr>
@@ -37,7 +44,7 @@ consteval bool explain_observer() {
   static_assert(Observer<O, Tr>,
                 "an observer needs at least one of: on_scanned(tr), on_proposed(tr, proposal), on_rejected(tr, proposal, level), "
                 "on_rejected_forever(tr, proposal, reason), on_before_insertion(tr, proposal), "
-                "on_after_insertion(tr, vertex, proposal)");
+                "on_after_insertion(tr, vertex, proposal), on_progress(tr, queued)");
   return Observer<O, Tr>;
 }
 
@@ -66,6 +73,10 @@ void before_insertion(const Tr& tr, const Proposal<Tr>& p, O&... observers) {
 template <class Tr, class... O>
 void after_insertion(const Tr& tr, [[maybe_unused]] typename Tr::Vertex v, const Proposal<Tr>& p, O&... observers) {
   ([&] { if constexpr (ObservesAfterInsertion<O, Tr>) observers.on_after_insertion(tr, v, p); }(), ...);
+}
+template <class Tr, class... O>
+void progress(const Tr& tr, std::span<const std::size_t> queued, O&... observers) {
+  ([&] { if constexpr (ObservesProgress<O, Tr>) observers.on_progress(tr, queued); }(), ...);
 }
 }  // namespace notify
 

@@ -24,8 +24,10 @@ struct Proposal {
   /// are new. Null as long as there is no zone: for `on_proposed`, when a blocked proposal is judged, and when the element is dropped
   /// before the zone was found.
   const typename Tr::Zone* zone = nullptr;
+  /// No element has more vertices.
+  static constexpr std::size_t max_vertices = 4;
   /// The vertices of the element that the point is to kill.
-  std::array<typename Tr::Vertex, 4> vertices{};
+  std::array<typename Tr::Vertex, max_vertices> vertices{};
   std::size_t vertex_count = 0;
 
   std::span<const typename Tr::Vertex> element_vertices() const { return {vertices.data(), vertex_count}; }

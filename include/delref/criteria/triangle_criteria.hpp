@@ -50,7 +50,8 @@ struct MinimumAngle {
 
   /// The smallest angle is opposite to the shortest edge; its sine is twice the area over the product of the other two edges.
   bool is_met(const TriangleShape& t) const {
-    const double others = t.squared_lengths[(t.shortest + 1) % 3] * t.squared_lengths[(t.shortest + 2) % 3];
+    const auto [a, b, c] = t.squared_lengths;
+    const double others = t.shortest == 0 ? b * c : t.shortest == 1 ? a * c : a * b;
     return t.doubled_area * t.doubled_area >= bound.squared_sine() * others;
   }
 };

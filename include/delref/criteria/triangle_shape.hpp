@@ -3,6 +3,7 @@
 // What a planar criterion sees of a triangle: measured once, without a square root.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -22,10 +23,9 @@ struct TriangleShape {
     const Vector2 ab = b - a, ac = c - a;
     squared_lengths = {squared_distance(b, c), squared_length(ac), squared_length(ab)};
     doubled_area = cross(ab, ac);
-    for (std::size_t i = 1; i < 3; ++i) {
-      if (squared_lengths[i] < squared_lengths[shortest]) shortest = i;
-      if (squared_lengths[i] >= squared_lengths[longest]) longest = i;
-    }
+    const auto [bc2, ac2, ab2] = squared_lengths;
+    shortest = ab2 < std::min(bc2, ac2) ? 2 : ac2 < bc2 ? 1 : 0;
+    longest = ab2 >= std::max(bc2, ac2) ? 2 : ac2 >= bc2 ? 1 : 0;
   }
 
   double shortest_squared() const { return squared_lengths[shortest]; }

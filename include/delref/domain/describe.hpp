@@ -25,6 +25,8 @@ inline std::string describe(double number) {
 
 /// "(x, y)".
 inline std::string describe(Point2 p) { return '(' + describe(p.x) + ", " + describe(p.y) + ')'; }
+/// "(x, y, z)".
+inline std::string describe(Point3 p) { return '(' + describe(p.x) + ", " + describe(p.y) + ", " + describe(p.z) + ')'; }
 
 /// "1 vertex", "2 vertices".
 inline std::string count_of(std::size_t count, const char* one, const char* many) {

@@ -11,15 +11,46 @@
 #include <span>
 #include <vector>
 
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/hilbert_sort.h>
-#include <CGAL/property_map.h>
 
 #include <delref/core/budget.hpp>
 #include <delref/domain/bounding_box.hpp>
 #include <delref/domain/planar_domain.hpp>
 
 namespace delref {
+
+namespace detail {
+
+/// What CGAL's Hilbert sort asks of two points, given their indices; a stop request ends it.
+struct IndexTraits {
+  using Point_2 = std::size_t;
+  template <double Point2::* coordinate>
+  struct Less {
+    const IndexTraits* traits;
+    bool operator()(std::size_t i, std::size_t j) const {
+      (*traits->check)();
+      return traits->points[i].*coordinate < traits->points[j].*coordinate;
+    }
+  };
+  using Less_x_2 = Less<&Point2::x>;
+  using Less_y_2 = Less<&Point2::y>;
+  Less_x_2 less_x_2_object() const { return {this}; }
+  Less_y_2 less_y_2_object() const { return {this}; }
+
+  std::span<const Point2> points;
+  StopCheck* check;
+};
+
+/// The indices of the points, along a Hilbert curve. Throws `Interrupted`.
+inline std::vector<std::size_t> along_hilbert_curve(std::span<const Point2> points, const Control& control) {
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  StopCheck check(control);
+  CGAL::hilbert_sort(order.begin(), order.end(), IndexTraits{points, &check}, CGAL::Hilbert_sort_median_policy());
+  return order;
+}
+
+}  // namespace detail
 
 /// Inserts points that are all different into an empty triangulation, along a Hilbert curve; gives their vertices. The first
 /// `input_count` are input vertices, of which point i has the number i and the carrier {0, i}; the others are numbered after
@@ -33,14 +64,7 @@ std::vector<typename Tr::Vertex> insert_planar_points(Tr& tr, std::span<const Po
   using Cgal = typename Tr::Cgal;
   using CgalPoint = typename Cgal::Point;
   const BoundingBox2 box = bounding_box(points);
-  std::vector<CgalPoint> cgal_points;
-  for (const Point2 p : points) cgal_points.emplace_back(p.x, p.y);
-  std::vector<std::size_t> order(points.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  using Map = typename CGAL::Pointer_property_map<CgalPoint>::type;
-  CGAL::hilbert_sort(order.begin(), order.end(),
-                     CGAL::Spatial_sort_traits_adapter_2<typename Cgal::Geom_traits, Map>(CGAL::make_property_map(cgal_points)),
-                     CGAL::Hilbert_sort_median_policy());
+  const std::vector<std::size_t> order = detail::along_hilbert_curve(points, control);
   const double margin = 3 * box.extent();
   std::vector<typename Tr::Vertex> corners;
   for (const CgalPoint& corner :
@@ -51,7 +75,8 @@ std::vector<typename Tr::Vertex> insert_planar_points(Tr& tr, std::span<const Po
   typename Tr::CgalFace near{};
   for (std::size_t k = 0; k < order.size(); ++k) {
     if (k % 4096 == 0) throw_if_stopped(control);
-    vertices[order[k]] = {tr.cgal().insert(cgal_points[order[k]], near)};
+    const Point2 p = points[order[k]];
+    vertices[order[k]] = {tr.cgal().insert(CgalPoint(p.x, p.y), near)};
     near = vertices[order[k]].handle->face();
   }
   constexpr Carrier inside{2, Carrier::none};

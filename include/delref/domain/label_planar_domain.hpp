@@ -118,12 +118,25 @@ class PlanarDomainLabeller {
   }
 
   void find_boundary_and_corners() {
-    for (const Edge e : tr_.subsegments())
-      if (!tr_.in_domain(tr_.face(tr_.mirror(e)))) domain_.segments[tr_.segment(e)].bounds_domain = true;
+    std::vector<bool> has_effect(domain_.pslg.segments.size());
+    for (const Edge e : tr_.subsegments()) {
+      PlanarDomain::Segment& s = domain_.segments[tr_.segment(e)];
+      has_effect[s.original] = true;
+      if (!tr_.in_domain(tr_.face(tr_.mirror(e)))) s.bounds_domain = true;
+    }
+    tell_without_effect(has_effect);
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
       if (i % 4096 == 0) throw_if_stopped(control_);
       find_corners_at(vertices_[i]);
     }
+  }
+
+  void tell_without_effect(const std::vector<bool>& has_effect) {
+    ExampleList examples;
+    for (std::size_t s = 0; s < has_effect.size(); ++s)
+      if (!has_effect[s]) examples.full() ? examples.add() : examples.add(checked_.names().placed_segment(s));
+    if (examples.count() > 0)
+      notes_.push_back(count_of(examples.count(), "segment has", "segments have") + " no effect, outside the domain or in a hole: " + examples.text());
   }
 
   /// Marks each two neighbouring segments at `v` that have the domain between them and meet under 60 degrees.

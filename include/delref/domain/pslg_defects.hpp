@@ -90,7 +90,8 @@ inline void check_seeds(const Pslg& pslg, DefectList& defects) {
       defects.add("the seed of hole " + std::to_string(h + pslg.first_index) + " at " + describe(pslg.holes[h]) + ": " + why);
   for (std::size_t r = 0; r < pslg.regions.size(); ++r) {
     const Pslg::Region& region = pslg.regions[r];
-    const std::string name = "region " + std::to_string(r + pslg.first_index) + " (label " + std::to_string(region.label) + ")";
+    std::string name = "region ";
+    name.append(std::to_string(r + pslg.first_index)).append(" (label ").append(std::to_string(region.label)).append(")");
     if (const std::string why = why_unusable(region.seed); !why.empty())
       defects.add("the seed of " + name + " at " + describe(region.seed) + ": " + why);
     if (!(region.max_area >= 0))

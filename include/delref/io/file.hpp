@@ -29,7 +29,8 @@ inline constexpr std::uintmax_t largest_file = std::uintmax_t{64} << 30;
 namespace detail {
 
 struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
+  // Of a file that was read, or is given up: `OutputFile::commit` closes the others itself, and looks.
+  void operator()(std::FILE* file) const { static_cast<void>(std::fclose(file)); }
 };
 using FileHandle = std::unique_ptr<std::FILE, CloseFile>;
 
@@ -73,22 +74,43 @@ class OutputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+namespace detail {
+
+/// The file that is meant by a path: a symbolic link to a regular file is followed.
+inline std::filesystem::path link_target(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return path;
+  std::filesystem::path target = std::filesystem::canonical(path, error);
+  return error ? path : target;
+}
+
+}  // namespace detail
+
+/// Where the text of a file stands until it is complete.
+inline std::filesystem::path partial_path(const std::filesystem::path& path) {
+  std::filesystem::path partial = detail::link_target(path);
+  partial += ".partial";
+  return partial;
+}
+
 /// A file in the making: `sink()` takes its text, `commit()` gives it its name. Without `commit` nothing remains of it.
 ///
 /// The text goes to `PATH.partial` beside it first. What is not a regular file (a pipe, `/dev/stdout`) is written directly.
-/// A symbolic link is followed. Every failure is thrown as `OutputError`.
+/// A symbolic link is followed. Every failure is thrown as `OutputError`. The control is asked with every piece of some 256 KiB that
+/// is handed on; when it says stop, `Interrupted` is thrown out of `sink()`.
+///
+/// This guards against a program that ends in between, not against a machine that does: nothing waits for the disk (fsync) before the
+/// renaming. That would take seconds for a large mesh, while a stopped run is to end promptly, and file systems in common use write the
+/// text of a file that is renamed over another one before they record its new name.
 class OutputFile {
  public:
-  explicit OutputFile(const std::filesystem::path& path) : path_(path) {
+  explicit OutputFile(const std::filesystem::path& path, const Control& control = Control{})
+      : path_(detail::link_target(path)), control_(control) {
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
     if (std::filesystem::is_directory(status)) throw OutputError(fmt::format("{}: is a directory, not a file", path.string()));
     direct_ = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
-    if (std::filesystem::is_regular_file(status)) {
-      if (auto target = std::filesystem::canonical(path, error); !error) path_ = std::move(target);
-    }
-    partial_ = path_;
-    if (!direct_) partial_ += ".partial";
+    partial_ = direct_ ? path_ : partial_path(path_);
     file_.reset(std::fopen(partial_.string().c_str(), "wb"));
     if (!file_) throw OutputError(fmt::format("{}: cannot be written: {}", partial_.string(), detail::system_message(errno)));
     sink_ = std::make_unique<TextSink>([this](std::string_view text) { put(text); });
@@ -116,6 +138,7 @@ class OutputFile {
 
  private:
   void put(std::string_view text) {
+    throw_if_stopped(control_);
     if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) {
       throw OutputError(fmt::format("{}: cannot be written: {}", path_.string(), detail::system_message(errno)));
     }
@@ -127,15 +150,17 @@ class OutputFile {
   }
 
   std::filesystem::path path_, partial_;
+  Control control_;
   bool direct_ = false;
   detail::FileHandle file_;
   std::unique_ptr<TextSink> sink_;
 };
 
-/// Writes the file that `writer(TextSink&)` writes, all of it or (when anything throws) nothing. Throws `OutputError`.
+/// Writes the file that `writer(TextSink&)` writes, all of it or (when anything throws) nothing. Throws `OutputError`, and
+/// `Interrupted` when the control says stop.
 template <std::invocable<TextSink&> Writer>
-void write_file(const std::filesystem::path& path, Writer&& writer) {
-  OutputFile file(path);
+void write_file(const std::filesystem::path& path, Writer&& writer, const Control& control = Control{}) {
+  OutputFile file(path, control);
   std::forward<Writer>(writer)(file.sink());
   file.commit();
 }

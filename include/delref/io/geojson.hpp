@@ -48,6 +48,7 @@ class GeojsonReader {
   }
   std::vector<std::string> notes() const {
     std::vector<std::string> notes;
+    notes.reserve(passed_over_.size() + 1);
     for (const auto& [type, count] : passed_over_) notes.push_back(fmt::format("{}: {} of type {} passed over: only polygons are read", name_, count, type));
     if (unclosed_ != 0) notes.push_back(fmt::format("{}: {} rings did not end where they began, and were closed", name_, unclosed_));
     return notes;

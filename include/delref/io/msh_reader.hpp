@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reads planar meshes of triangles and lines from the MSH format 4.1 of Gmsh, as text. The label of a triangle or line is the one
-// that the name of its physical group spells (physical_tags.hpp), or else the physical tag, or 0 without one.
+// Reads meshes of lines, triangles and (in space) tetrahedra from the MSH format 4.1 of Gmsh, as text. The label of an element is the
+// one that the name of its physical group spells (physical_tags.hpp), or else the physical tag, or 0 without one.
 #pragma once
 
 #include <algorithm>
@@ -20,39 +20,48 @@
 
 #include <delref/core/budget.hpp>
 #include <delref/io/file.hpp>
+#include <delref/io/mesh_blocks.hpp>
+#include <delref/io/msh.hpp>
+#include <delref/io/node_records.hpp>
 #include <delref/io/physical_tags.hpp>
 #include <delref/io/text_scanner.hpp>
-#include <delref/io/triangle_poly.hpp>
-#include <delref/mesh/planar_mesh.hpp>
 
 namespace delref {
 
 namespace detail {
 
+/// The elements of one kind, as they come.
+template <std::size_t Corners>
+struct MshElement {
+  std::uint64_t tag;
+  std::array<std::uint32_t, Corners> corners;
+  int label;
+};
+
 /// The sections of one file, gathered in the order in which they come.
+template <IndexedMesh Mesh>
 class MshReader {
  public:
   MshReader(std::string_view text, const std::string& name, const Control& control)
       : in_(text, name, TextScanner::Layout::free), control_(control) {}
 
-  PlanarMesh read() {
+  Mesh read() {
     if (in_.word("$MeshFormat") != "$MeshFormat") in_.fail("expected $MeshFormat: this is not a file in Gmsh's MSH format");
     read_format();
     while (in_.has_field()) read_section(std::string(in_.word("a section")));
     if (!have_nodes_) in_.fail("the file ends without a $Nodes section");
     if (!have_elements_) in_.fail("the file ends without an $Elements section");
-    put_in_order(lines_, mesh_.edges, mesh_.edge_markers);
-    put_in_order(triangles_, mesh_.triangles, mesh_.regions);
+    for_each_block(mesh_, [&](const auto& block) { put_in_order(elements_of(block), block.cells, block.labels); });
     return std::move(mesh_);
   }
 
  private:
-  template <std::size_t Corners>
-  struct Element {
-    std::uint64_t tag;
-    std::array<PlanarMesh::Index, Corners> corners;
-    int label;
-  };
+  using Index = typename Mesh::Index;
+
+  template <class Block>
+  auto& elements_of(const Block&) {
+    return std::get<std::vector<MshElement<Block::corners>>>(elements_);
+  }
 
   void read_format() {
     const double version = in_.number("the version");
@@ -86,7 +95,9 @@ class MshReader {
       const auto dimension = in_.integer<int>("the dimension of a physical group");
       const auto tag = in_.integer<int>("the tag of a physical group");
       const std::string_view name = quoted("the name of a physical group");
-      if (const auto label = label_in_physical_name(name, dimension == 1 ? "marker" : "region")) labels_[{dimension, tag}] = *label;
+      if (dimension < 1 || dimension > own_dimension) continue;
+      const std::string_view kind = msh_group_name(static_cast<std::size_t>(dimension), dimension_of<Mesh>);
+      if (const auto label = label_in_physical_name(name, kind)) labels_[{dimension, tag}] = *label;
     }
     end_section("PhysicalNames");
   }
@@ -132,30 +143,32 @@ class MshReader {
   void read_node(int parameters, std::size_t i) {
     ask_sometimes(control_, i);
     const std::uint64_t tag = node_tags_[mesh_.points.size()];
-    const double x = in_.number("the x coordinate of node", tag), y = in_.number("the y coordinate of node", tag);
-    if (const double z = in_.number("the z coordinate of node", tag); z != 0) {
-      in_.fail(fmt::format("node {} has z coordinate {}; only planar meshes, with z = 0, are read", tag, z));
-    }
+    const auto p = read_point<Point3>(in_, node_names_, tag);
     for (int k = 0; k < parameters; ++k) in_.number("a parameter of node", tag);
-    mesh_.points.push_back({x, y});
+    if constexpr (own_dimension == 2) {
+      if (p.z != 0) in_.fail(fmt::format("node {} has z coordinate {}; only planar meshes, with z = 0, are read", tag, p.z));
+      mesh_.points.push_back({p.x, p.y});
+    } else {
+      mesh_.points.push_back(p);
+    }
   }
   /// Tags are mostly 1, 2, 3, ...; when they are not, they are looked up in a sorted list.
   void index_tags() {
     for (std::size_t i = 0; i != node_tags_.size(); ++i) consecutive_ = consecutive_ && node_tags_[i] == node_tags_[0] + i;
     if (consecutive_) return;
-    for (std::size_t i = 0; i != node_tags_.size(); ++i) sorted_tags_.emplace_back(node_tags_[i], static_cast<PlanarMesh::Index>(i));
+    for (std::size_t i = 0; i != node_tags_.size(); ++i) sorted_tags_.emplace_back(node_tags_[i], static_cast<Index>(i));
     std::ranges::sort(sorted_tags_);
-    const auto twice = std::ranges::adjacent_find(sorted_tags_, {}, &std::pair<std::uint64_t, PlanarMesh::Index>::first);
+    const auto twice = std::ranges::adjacent_find(sorted_tags_, {}, &std::pair<std::uint64_t, Index>::first);
     if (twice != sorted_tags_.end()) in_.fail(fmt::format("node {} is there twice", twice->first));
   }
-  PlanarMesh::Index read_node_tag(std::string_view what) {
+  Index read_node_tag(std::string_view what) {
     const auto tag = in_.integer<std::uint64_t>(what);
     if (consecutive_) {
       if (!node_tags_.empty() && tag >= node_tags_[0] && tag - node_tags_[0] < node_tags_.size()) {
-        return static_cast<PlanarMesh::Index>(tag - node_tags_[0]);
+        return static_cast<Index>(tag - node_tags_[0]);
       }
     } else {
-      const auto found = std::ranges::lower_bound(sorted_tags_, tag, {}, &std::pair<std::uint64_t, PlanarMesh::Index>::first);
+      const auto found = std::ranges::lower_bound(sorted_tags_, tag, {}, &std::pair<std::uint64_t, Index>::first);
       if (found != sorted_tags_.end() && found->first == tag) return found->second;
     }
     in_.fail(fmt::format("{} is node {}, but there is no such node", what, tag));
@@ -167,10 +180,10 @@ class MshReader {
     return label == labels_.end() ? group->second : label->second;
   }
   template <std::size_t Corners>
-  void read_block(std::vector<Element<Corners>>& out, std::size_t count, int label) {
+  void read_block(std::vector<MshElement<Corners>>& out, std::size_t count, int label) {
     for (std::size_t i = 0; i != count; ++i) {
       ask_sometimes(control_, i);
-      Element<Corners> element{in_.integer<std::uint64_t>("the tag of an element"), {}, label};
+      MshElement<Corners> element{in_.integer<std::uint64_t>("the tag of an element"), {}, label};
       for (auto& corner : element.corners) corner = read_node_tag("a corner of an element");
       out.push_back(element);
     }
@@ -189,11 +202,15 @@ class MshReader {
       const std::size_t count = in_.count("the number of elements of a block", 4);
       if ((done += count) > total) in_.fail(fmt::format("{} elements were announced, the blocks hold more", total));
       const int label = label_of_entity(dimension, entity);
-      std::vector<Element<1>> points;
-      if (type == 1) read_block(lines_, count, label);
-      else if (type == 2) read_block(triangles_, count, label);
-      else if (type == 15) read_block(points, count, label);
-      else in_.fail(fmt::format("the elements are of type {}; only lines (1), triangles (2) and points (15) are read", type));
+      bool known = type == msh_element_types[0];
+      if (std::vector<MshElement<1>> points; known) read_block(points, count, label);
+      for_each_block(mesh_, [&](const auto& block) {
+        if (type != msh_element_types[block.dimension]) return;
+        known = true;
+        read_block(elements_of(block), count, label);
+      });
+      if (!known) in_.fail(fmt::format("the elements are of type {}; only lines (1), triangles (2){} and points (15) are read", type,
+                                       own_dimension == 3 ? ", tetrahedra (4)" : ""));
     }
     end_section("Elements");
   }
@@ -218,7 +235,7 @@ class MshReader {
   }
   /// By tag, which is the order in which `write_msh` was given them.
   template <std::size_t Corners>
-  static void put_in_order(std::vector<Element<Corners>>& elements, std::vector<std::array<PlanarMesh::Index, Corners>>& out, std::vector<int>& labels) {
+  static void put_in_order(std::vector<MshElement<Corners>>& elements, std::vector<std::array<Index, Corners>>& out, std::vector<int>& labels) {
     const auto order = [](const auto& e) { return std::tie(e.tag, e.corners); };
     if (!std::ranges::is_sorted(elements, {}, order)) std::ranges::sort(elements, {}, order);
     out.reserve(elements.size());
@@ -229,14 +246,16 @@ class MshReader {
     }
   }
 
+  static constexpr int own_dimension = static_cast<int>(dimension_of<Mesh>);
+
   TextScanner in_;
   const Control& control_;
-  PlanarMesh mesh_;
+  Mesh mesh_;
+  CoordinateNames node_names_{"node"};
   std::map<std::pair<int, int>, int> labels_, group_of_;
   std::vector<std::uint64_t> node_tags_;
-  std::vector<std::pair<std::uint64_t, PlanarMesh::Index>> sorted_tags_;
-  std::vector<Element<2>> lines_;
-  std::vector<Element<3>> triangles_;
+  std::vector<std::pair<std::uint64_t, Index>> sorted_tags_;
+  std::tuple<std::vector<MshElement<2>>, std::vector<MshElement<3>>, std::vector<MshElement<4>>> elements_;
   bool consecutive_ = true, have_nodes_ = false, have_elements_ = false;
 };
 
@@ -244,13 +263,15 @@ class MshReader {
 
 /// The mesh in the text of a .msh file; `name` is what complaints call it. Vertices in the order of the file, elements in that of
 /// their tags. Throws `InvalidInput` with the line and what was expected there, `Interrupted` when the control says stop.
-inline PlanarMesh parse_msh(std::string_view text, const std::string& name, const Control& control = Control{}) {
-  return detail::MshReader(text, name, control).read();
+template <IndexedMesh Mesh = PlanarMesh>
+Mesh parse_msh(std::string_view text, const std::string& name, const Control& control = Control{}) {
+  return detail::MshReader<Mesh>(text, name, control).read();
 }
 
 /// Reads a .msh file. Throws as `read_file` and `parse_msh`.
-inline PlanarMesh read_msh(const std::filesystem::path& path, const Control& control = Control{}) {
-  return parse_msh(read_file(path, control), path.string(), control);
+template <IndexedMesh Mesh = PlanarMesh>
+Mesh read_msh(const std::filesystem::path& path, const Control& control = Control{}) {
+  return parse_msh<Mesh>(read_file(path, control), path.string(), control);
 }
 
 }  // namespace delref

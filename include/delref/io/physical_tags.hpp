@@ -2,7 +2,7 @@
 //
 // How labels and markers, which may be any integer, become physical tags of Gmsh, which must be positive: a positive label is its
 // own tag; 0 and the negative ones take the smallest positive tags left over, in ascending order of the labels. The name of each
-// physical group spells the label ("region -3", "marker 0"), and that is what a reader should trust.
+// physical group spells the label ("region -3", "marker 0", "facet marker 7"), and that is what a reader should trust.
 #pragma once
 
 #include <algorithm>

@@ -5,11 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -18,11 +16,13 @@
 #include <delref/domain/convex_hull.hpp>
 #include <delref/core/outcome.hpp>
 #include <delref/domain/pslg.hpp>
+#include <delref/io/extension.hpp>
 #include <delref/io/geojson.hpp>
 #include <delref/io/medit.hpp>
 #include <delref/io/msh.hpp>
 #include <delref/io/msh_reader.hpp>
 #include <delref/io/off.hpp>
+#include <delref/io/output_check.hpp>
 #include <delref/io/svg.hpp>
 #include <delref/io/triangle_mesh.hpp>
 #include <delref/io/triangle_poly.hpp>
@@ -31,23 +31,6 @@
 #include <delref/mesh/planar_mesh.hpp>
 
 namespace delref {
-
-namespace detail {
-
-/// The extension of a path, in lower case.
-inline std::string lower_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
-
-inline std::string unknown_extension(const std::filesystem::path& path, std::string_view what, std::string_view known) {
-  const std::string extension = path.extension().string();
-  return fmt::format("{}: {} {} known are {}", path.string(),
-                     extension.empty() ? "the name has no extension that tells" : fmt::format("\"{}\" is not the extension of", extension), what, known);
-}
-
-}  // namespace detail
 
 inline constexpr std::string_view readable_domains = ".poly, .node, .geojson and .json";
 inline constexpr std::string_view readable_meshes = ".node, .ele, .vtu and .msh";
@@ -59,7 +42,7 @@ inline PslgFile read_pslg(const std::filesystem::path& path, const Control& cont
   const std::string extension = detail::lower_extension(path);
   if (extension == ".poly") return {read_triangle_poly(path, control), {}};
   if (extension == ".node")
-    return {with_convex_hull(read_triangle_node(path, control)), {"the file has no segments: the domain is the convex hull of its vertices"}};
+    return {with_convex_hull(read_triangle_node(path, control), control), {"the file has no segments: the domain is the convex hull of its vertices"}};
   if (extension == ".geojson" || extension == ".json") return read_geojson(path, control);
   throw InvalidInput(detail::unknown_extension(path, "a domain;", readable_domains));
 }
@@ -99,24 +82,21 @@ inline std::vector<std::filesystem::path> planar_mesh_files(const std::filesyste
 /// Throws `OutputError` when writing a mesh to the path cannot work: the extension is not known, or a file would be written over
 /// the input. Call it before meshing, so that no work is lost.
 inline void check_planar_output(const std::filesystem::path& path, const std::filesystem::path& input_file = {}) {
-  for (const auto& file : planar_mesh_files(path)) {
-    std::error_code ignored;
-    if (input_file.empty() || !std::filesystem::equivalent(file, input_file, ignored)) continue;
-    throw OutputError(fmt::format("{}: would be written over the input {}; choose another name", file.string(), input_file.string()));
-  }
+  detail::refuse_to_write_over(input_file, planar_mesh_files(path));
 }
 
 /// Writes a mesh in the format of the path's extension; `.node` and `.ele` write the whole set of Triangle's files.
-/// Throws `OutputError`.
-inline void write_planar_mesh(const std::filesystem::path& path, const PlanarMesh& mesh, const PlanarFileContext& context = {}) {
+/// Throws `OutputError`, and `Interrupted` when the control says stop: a run whose time is up writes with a control of its own.
+inline void write_planar_mesh(const std::filesystem::path& path, const PlanarMesh& mesh, const PlanarFileContext& context = {},
+                              const Control& control = Control{}) {
   check_planar_output(path, context.input_file);
   const std::string extension = detail::lower_extension(path);
-  if (extension == ".vtu") return write_vtu(path, mesh);
-  if (extension == ".msh") return write_msh(path, mesh);
-  if (extension == ".mesh") return write_medit(path, mesh);
-  if (extension == ".off") return write_off(path, mesh);
-  if (extension == ".svg") return write_svg(path, mesh, context.picture);
-  write_triangle_mesh(path, mesh, context.input ? *context.input : Pslg{});
+  if (extension == ".vtu") return write_vtu(path, mesh, control);
+  if (extension == ".msh") return write_msh(path, mesh, control);
+  if (extension == ".mesh") return write_medit(path, mesh, control);
+  if (extension == ".off") return write_off(path, mesh, control);
+  if (extension == ".svg") return write_svg(path, mesh, context.picture, control);
+  write_triangle_mesh(path, mesh, context.input ? *context.input : Pslg{}, control);
 }
 
 }  // namespace delref

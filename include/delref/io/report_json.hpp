@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -29,7 +30,6 @@ namespace detail {
 
 using OrderedJson = nlohmann::ordered_json;
 
-
 inline std::string_view stop_name(Stop stop) {
   switch (stop) {
     case Stop::vertices: return "vertices";
@@ -44,22 +44,39 @@ OrderedJson or_null(const std::optional<Value>& value) {
   return value ? OrderedJson(*value) : OrderedJson(nullptr);
 }
 
-inline OrderedJson options_json(const ReportedOptions& o) {
+inline OrderedJson options_json(const ReportedOptions& o, Point2) {
   return {{"min_angle_degrees", o.min_angle_degrees}, {"max_area", or_null(o.max_area)},
           {"max_edge", or_null(o.max_edge)},          {"size_points_file", o.size_points_file},
           {"gradation", o.gradation},                 {"encroachment", o.encroachment},
           {"points", o.points},                       {"keep_boundary", o.keep_boundary},
           {"split_crossings", o.split_crossings},     {"merge_tolerance", o.merge_tolerance},
+          {"smallest_edge", o.smallest_edge},         {"max_vertices", or_null(o.max_vertices)},
+          {"time_limit_seconds", or_null(o.time_limit_seconds)}};
+}
+inline OrderedJson options_json(const ReportedOptions& o, Point3) {
+  return {{"radius_edge", o.radius_edge},
+          {"max_volume", or_null(o.max_volume)},
+          {"cell_size", or_null(o.cell_size)},
+          {"size_points_file", o.size_points_file},
+          {"gradation", o.gradation},
+          {"join_coplanar_degrees", or_null(o.join_coplanar_degrees)},
+          {"planarity_tolerance", o.planarity_tolerance},
+          {"merge_tolerance", o.merge_tolerance},
           {"smallest_edge", o.smallest_edge},
-          {"max_vertices", or_null(o.max_vertices)},  {"time_limit_seconds", or_null(o.time_limit_seconds)}};
+          {"max_vertices", or_null(o.max_vertices)},
+          {"time_limit_seconds", or_null(o.time_limit_seconds)}};
 }
 
+inline OrderedJson place_json(Point2 p) { return {p.x, p.y}; }
+inline OrderedJson place_json(Point3 p) { return {p.x, p.y, p.z}; }
+
 /// The unmet elements by level, criterion and reason, with their number and their places.
-inline OrderedJson unmet_json(const Outcome<Point2>& outcome) {
+template <class Point>
+OrderedJson unmet_json(const Outcome<Point>& outcome) {
   std::map<std::tuple<LevelIndex, std::string, Reason>, OrderedJson> groups;
   for (const auto& unmet : outcome.unmet) {
     auto& places = groups.try_emplace({unmet.level, unmet.criterion, unmet.reason}, OrderedJson::array()).first->second;
-    places.push_back({unmet.place.x, unmet.place.y});
+    places.push_back(place_json(unmet.place));
   }
   OrderedJson list = OrderedJson::array();
   for (auto& [key, places] : groups) {
@@ -71,7 +88,8 @@ inline OrderedJson unmet_json(const Outcome<Point2>& outcome) {
   return list;
 }
 
-inline OrderedJson outcome_json(const Outcome<Point2>& outcome) {
+template <class Point>
+OrderedJson outcome_json(const Outcome<Point>& outcome) {
   OrderedJson levels = OrderedJson::array();
   for (const LevelCounts& l : outcome.levels) {
     levels.push_back({{"name", l.name}, {"inserted", l.inserted}, {"rejected", l.rejected}, {"rejected_forever", l.rejected_forever}, {"queued", l.queued}});
@@ -98,12 +116,53 @@ inline OrderedJson quality_json(const PlanarQuality& q) {
           {"worst_radius_edge", q.worst_radius_edge}};
 }
 
-inline OrderedJson counts_json(const ReportedCounts& c, bool mesh) {
-  OrderedJson json{{"vertices", c.vertices}, {"segments", c.segments}};
-  if (mesh) json["triangles"] = c.triangles;
-  else json.update({{"holes", c.holes}, {"regions", c.regions}});
-  return json;
+inline OrderedJson quality_json(const TetrahedralQuality& q) {
+  OrderedJson regions = OrderedJson::array();
+  for (const auto& [label, region] : q.regions)
+    regions.push_back({{"label", label}, {"tetrahedra", region.tetrahedron_count}, {"volume", region.volume}});
+  return {{"worst_radius_edge", q.worst_radius_edge},
+          {"radius_edge_bins", q.radius_edge_bins},
+          {"radius_edges", q.radius_edge},
+          {"smallest_dihedral_degrees", q.smallest_dihedral},
+          {"largest_dihedral_degrees", q.largest_dihedral},
+          {"degrees_per_bin", TetrahedralQuality::degrees_per_bin},
+          {"smallest_dihedrals", q.smallest_dihedrals},
+          {"all_dihedrals", q.all_dihedrals},
+          {"tetrahedra_under_5_degrees", q.under_5_degrees},
+          {"tetrahedra_under_10_degrees", q.under_10_degrees},
+          {"flat_or_inverted_tetrahedra", q.flat_or_inverted},
+          {"smallest_triangle_angle_degrees", q.smallest_triangle_angle},
+          {"smallest_volume", q.smallest_volume},
+          {"largest_volume", q.largest_volume},
+          {"total_volume", q.total_volume},
+          {"shortest_edge", q.shortest_edge},
+          {"longest_edge", q.longest_edge},
+          {"regions", std::move(regions)}};
 }
+
+inline OrderedJson input_json(const ReportedCounts& c, Point2) {
+  return {{"vertices", c.vertices}, {"segments", c.segments}, {"holes", c.holes}, {"regions", c.regions}};
+}
+inline OrderedJson input_json(const ReportedCounts& c, Point3) {
+  return {{"vertices", c.vertices}, {"segments", c.segments}, {"facets", c.facets}, {"holes", c.holes}, {"regions", c.regions}};
+}
+inline OrderedJson mesh_json(const ReportedCounts& c, Point2) {
+  return {{"vertices", c.vertices}, {"segments", c.segments}, {"triangles", c.triangles}};
+}
+inline OrderedJson mesh_json(const ReportedCounts& c, Point3) {
+  return {{"vertices", c.vertices}, {"segments", c.segments}, {"triangles", c.triangles}, {"tetrahedra", c.tetrahedra}};
+}
+
+template <class Report>
+OrderedJson input_angles_json(const Report& report) {
+  OrderedJson list = OrderedJson::array();
+  for (const ReportedAngle& angle : report.input_angles)
+    list.push_back({{"degrees", angle.degrees}, {"elements", angle.elements}, {"place", place_json(angle.place)}});
+  return {{"count", report.input_angle_count}, {"smallest", std::move(list)}};
+}
+
+template <class Point>
+inline constexpr int report_dimension = std::is_same_v<Point, Point2> ? 2 : 3;
 
 template <class Value>
 void read_value(const nlohmann::json& from, const char* key, Value& to) {
@@ -116,7 +175,7 @@ void read_value(const nlohmann::json& from, const char* key, std::optional<Value
 
 inline ReportedOptions read_options(const nlohmann::json& json) {
   ReportedOptions o;
-  o.min_angle_degrees = json.at("min_angle_degrees").get<double>();
+  read_value(json, "min_angle_degrees", o.min_angle_degrees);
   read_value(json, "max_area", o.max_area);
   read_value(json, "max_edge", o.max_edge);
   read_value(json, "size_points_file", o.size_points_file);
@@ -129,22 +188,31 @@ inline ReportedOptions read_options(const nlohmann::json& json) {
   read_value(json, "smallest_edge", o.smallest_edge);
   read_value(json, "max_vertices", o.max_vertices);
   read_value(json, "time_limit_seconds", o.time_limit_seconds);
+  read_value(json, "radius_edge", o.radius_edge);
+  read_value(json, "max_volume", o.max_volume);
+  read_value(json, "cell_size", o.cell_size);
+  read_value(json, "join_coplanar_degrees", o.join_coplanar_degrees);
+  read_value(json, "planarity_tolerance", o.planarity_tolerance);
   return o;
 }
 
 }  // namespace detail
 
 /// The text of a report.
-inline std::string report_text(const RunReport& report) {
+template <class Point, class Quality>
+std::string report_text(const BasicRunReport<Point, Quality>& report) {
   using detail::OrderedJson;
   OrderedJson json{{"program", "delref"},
                    {"version", report.version},
+                   {"dimension", detail::report_dimension<Point>},
                    {"input_file", report.input_file},
                    {"output_files", report.output_files},
-                   {"options", detail::options_json(report.options)},
-                   {"input", detail::counts_json(report.input, false)},
-                   {"mesh", detail::counts_json(report.mesh, true)},
-                   {"outcome", detail::outcome_json(report.outcome)}};
+                   {"options", detail::options_json(report.options, Point{})},
+                   {"input", detail::input_json(report.input, Point{})}};
+  if constexpr (detail::report_dimension<Point> == 3) json["small_input_angles"] = detail::input_angles_json(report);
+  json["mesh"] = detail::mesh_json(report.mesh, Point{});
+  json["outcome"] = detail::outcome_json(report.outcome);
+  if constexpr (detail::report_dimension<Point> == 3) json["outcome"]["conforms"] = report.conforms;
   json["quality"] = report.quality ? detail::quality_json(*report.quality) : OrderedJson(nullptr);
   json["notes"] = report.notes;
   OrderedJson times = OrderedJson::object();
@@ -154,19 +222,25 @@ inline std::string report_text(const RunReport& report) {
 }
 
 /// Writes a report. Throws `OutputError`.
-inline void write_report(const std::filesystem::path& path, const RunReport& report) {
+template <class Point, class Quality>
+void write_report(const std::filesystem::path& path, const BasicRunReport<Point, Quality>& report) {
   write_file(path, [&](TextSink& out) { out << report_text(report); });
 }
 
-/// What `delref verify` needs of a report: what was asked for, and what was given up where.
-struct ReportedPromise {
+/// What `delref verify` needs of a report: what was asked for, and what was given up where. Of a run in the plane
+/// (`ReportedPromise`) or in space (`PolyhedralPromise`).
+template <class Point>
+struct BasicPromise {
   std::string input_file;
   ReportedOptions options;
   bool complete = false;
   std::vector<std::string> level_names;
   /// Level, criterion, reason and place of every unmet element; its vertices are not in a report.
-  std::vector<Unmet<Point2>> unmet;
+  std::vector<Unmet<Point>> unmet;
 };
+
+using ReportedPromise = BasicPromise<Point2>;
+using PolyhedralPromise = BasicPromise<Point3>;
 
 namespace detail {
 
@@ -177,25 +251,44 @@ inline Reason read_reason(const std::string& text, const std::string& name) {
   throw InvalidInput(fmt::format("{}: \"{}\" is no reason that delref knows", name, text));
 }
 
-inline void read_unmet(const nlohmann::json& group, const std::string& name, ReportedPromise& promise) {
+inline void read_place(const nlohmann::json& place, Point2& to) { to = {place.at(0).get<double>(), place.at(1).get<double>()}; }
+inline void read_place(const nlohmann::json& place, Point3& to) {
+  to = {place.at(0).get<double>(), place.at(1).get<double>(), place.at(2).get<double>()};
+}
+
+template <class Point>
+void read_unmet(const nlohmann::json& group, const std::string& name, BasicPromise<Point>& promise) {
   const auto level = std::ranges::find(promise.level_names, group.at("level").get<std::string>());
-  Unmet<Point2> unmet;
+  Unmet<Point> unmet;
   unmet.level = static_cast<LevelIndex>(level - promise.level_names.begin());
   unmet.criterion = group.at("criterion").get<std::string>();
   unmet.reason = read_reason(group.at("reason").get<std::string>(), name);
   for (const auto& place : group.at("places")) {
-    unmet.place = {place.at(0).get<double>(), place.at(1).get<double>()};
+    read_place(place, unmet.place);
     promise.unmet.push_back(unmet);
   }
 }
 
+/// Reports from before there was space have no dimension.
+template <class Point>
+void check_dimension(const nlohmann::json& json, const std::string& name) {
+  int found = 2;
+  read_value(json, "dimension", found);
+  if (found == report_dimension<Point>) return;
+  throw InvalidInput(fmt::format("{}: is the report of a run in {}, but what it is asked about lies in {}", name,
+                                 found == 2 ? "the plane" : "space", report_dimension<Point> == 2 ? "the plane" : "space"));
+}
+
 }  // namespace detail
 
-/// The promise in the text of a report; `name` is what complaints call the file. Throws `InvalidInput`.
-inline ReportedPromise parse_report(std::string_view text, const std::string& name) {
+/// The promise in the text of a report; `name` is what complaints call the file. Throws `InvalidInput`, also for the report of a run
+/// in the other dimension.
+template <class Point = Point2>
+BasicPromise<Point> parse_report(std::string_view text, const std::string& name) {
   try {
     const nlohmann::json json = parse_json(text, name);
-    ReportedPromise promise;
+    BasicPromise<Point> promise;
+    detail::check_dimension<Point>(json, name);
     detail::read_value(json, "input_file", promise.input_file);
     promise.options = detail::read_options(json.at("options"));
     const auto& outcome = json.at("outcome");
@@ -209,8 +302,9 @@ inline ReportedPromise parse_report(std::string_view text, const std::string& na
 }
 
 /// Reads a report. Throws as `read_file` and `parse_report`.
-inline ReportedPromise read_report(const std::filesystem::path& path, const Control& control = Control{}) {
-  return parse_report(read_file(path, control), path.string());
+template <class Point = Point2>
+BasicPromise<Point> read_report(const std::filesystem::path& path, const Control& control = Control{}) {
+  return parse_report<Point>(read_file(path, control), path.string());
 }
 
 }  // namespace delref

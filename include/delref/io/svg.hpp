@@ -18,6 +18,7 @@
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
+#include <delref/core/budget.hpp>
 #include <delref/core/outcome.hpp>
 #include <delref/io/colours.hpp>
 #include <delref/io/file.hpp>
@@ -37,7 +38,8 @@ struct SvgOptions {
   double size = 1000;
   /// A line above the legend; empty for none.
   std::string title;
-  /// What was given up: filled in the colour of alarm, with a ring (one for several at the same place).
+  /// What is unmet: filled in the colour of alarm, with a ring (one for several at the same place). Where that would hide the picture,
+  /// because more than 50 triangles are and more than 5 %, they are outlined only.
   std::span<const Unmet<Point2>> unmet;
 };
 
@@ -114,10 +116,15 @@ class SvgPicture {
       const std::size_t colour = by_region() ? (mesh_.regions.empty() ? 0 : labels_.at(mesh_.regions[i])) : bin;
       const SvgFrame::Corner p = frame_(mesh_.points[a]), q = frame_(mesh_.points[b]), r = frame_(mesh_.points[c]);
       area_ += std::abs(frame_.doubled_area(p, q, r)) / 2;
-      if (std::ranges::binary_search(unmet_, frame_(barycentre(i)))) alarms_.add({p, q, r}, true);
-      else if (frame_.doubled_area(p, q, r) != 0) paths_[colour].add({p, q, r}, true);
+      if (std::ranges::binary_search(unmet_, frame_(barycentre(i)))) {
+        alarms_.add({p, q, r}, true);
+        ++alarm_count_;
+      }
+      if (frame_.doubled_area(p, q, r) != 0) paths_[colour].add({p, q, r}, true);
     }
   }
+  /// Whether alarms everywhere would hide the picture.
+  bool is_unmet_as_a_rule() const { return alarm_count_ > 50 && 20 * alarm_count_ > mesh_.triangles.size(); }
   Point2 barycentre(std::size_t i) const {
     const auto& [a, b, c] = mesh_.triangles[i];
     const Point2 p = mesh_.points[a];
@@ -145,7 +152,7 @@ class SvgPicture {
     }
     if (alarms_.text().empty()) return;
     pugi::xml_node node = group.append_child("path");
-    set(node, "fill", alarm);
+    set(node, "fill", is_unmet_as_a_rule() ? "none" : alarm);
     set(node, "stroke", alarm);
     set(node, "d", alarms_.text());
   }
@@ -162,7 +169,7 @@ class SvgPicture {
     set(node, "d", path.text());
   }
   void draw_unmet(pugi::xml_node svg) {
-    if (options_.unmet.empty()) return;
+    if (options_.unmet.empty() || is_unmet_as_a_rule()) return;
     pugi::xml_node group = svg.append_child("g");
     set(group, "fill", "none");
     set(group, "stroke", alarm);
@@ -231,15 +238,18 @@ class SvgPicture {
   std::map<std::size_t, SvgPath> paths_;
   SvgPath alarms_;
   std::vector<SvgFrame::Corner> unmet_;
+  std::size_t alarm_count_ = 0;
   double smallest_angle_ = 60, area_ = 0;
   pugi::xml_document document_;
 };
 
 }  // namespace detail
 
-/// Draws a mesh. Requires valid indices and finite coordinates. Throws `OutputError`.
-inline void write_svg(const std::filesystem::path& path, const PlanarMesh& mesh, const SvgOptions& options = {}) {
-  write_file(path, [&](TextSink& out) { out << detail::SvgPicture(mesh, options).draw(); });
+/// Draws a mesh. Requires valid indices and finite coordinates. Throws `OutputError`, and `Interrupted` when the control says stop
+/// before it is drawn.
+inline void write_svg(const std::filesystem::path& path, const PlanarMesh& mesh, const SvgOptions& options = {},
+                      const Control& control = Control{}) {
+  write_file(path, [&](TextSink& out) { out << detail::SvgPicture(mesh, options).draw(); }, control);
 }
 
 }  // namespace delref

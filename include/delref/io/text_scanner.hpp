@@ -49,6 +49,14 @@ class TextScanner {
     return position_ < text_.size() && !(layout_ == Layout::lines && at_line_end());
   }
 
+  /// There is another field, and it starts like a number.
+  bool at_number() {
+    return has_field() && std::string_view("0123456789+-.").find(text_[position_]) != std::string_view::npos;
+  }
+
+  /// The next field, if there is one, is this word.
+  bool at_word(std::string_view word) { return has_field() && peek(word, no_id) == word; }
+
   /// The next field as a number; `nan` and `inf` are numbers here. `what` and `id` name it in complaints.
   double number(std::string_view what, std::size_t id = no_id) {
     const std::string_view field = peek(what, id);
@@ -113,7 +121,7 @@ class TextScanner {
 
  private:
   static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v'; }
-  bool is_blank(char c) const { return c == ' ' || c == '\t' || c == '\r' || (c == ',' && layout_ == Layout::lines); }
+  bool is_blank(char c) const { return (is_space(c) && c != '\n') || (c == ',' && layout_ == Layout::lines); }
   bool at_line_end() const { return text_[position_] == '\n' || text_[position_] == '#'; }
   static std::string named(std::string_view what, std::size_t id) {
     return id == no_id ? std::string(what) : fmt::format("{} {}", what, id);

@@ -9,14 +9,19 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include <delref/core/budget.hpp>
 #include <delref/domain/pslg.hpp>
+#include <delref/io/element_records.hpp>
 #include <delref/io/file.hpp>
-#include <delref/io/text_scanner.hpp>
+#include <delref/io/file_set.hpp>
+#include <delref/io/mesh_blocks.hpp>
+#include <delref/io/text_sink.hpp>
 #include <delref/io/triangle_poly.hpp>
 #include <delref/mesh/planar_mesh.hpp>
 
@@ -67,37 +72,6 @@ inline std::vector<MarkedEdge> all_edges(const PlanarMesh& mesh) {
   return edges;
 }
 
-/// The row of the input's attributes that a vertex carries; null for a Steiner vertex.
-inline const double* attribute_row(const PlanarMesh& mesh, const Pslg& input, std::size_t vertex) {
-  if (vertex >= mesh.carriers.size() || mesh.carriers[vertex].dimension != 0) return nullptr;
-  const std::size_t row = mesh.carriers[vertex].index;
-  return (row + 1) * input.attribute_count <= input.attributes.size() ? input.attributes.data() + row * input.attribute_count : nullptr;
-}
-
-inline void write_node(TextSink& out, const PlanarMesh& mesh, const Pslg& input) {
-  const bool marked = !mesh.point_markers.empty();
-  const std::size_t attributes = mesh.carriers.empty() ? 0 : input.attribute_count;
-  out << mesh.points.size() << " 2 " << attributes << ' ' << int{marked} << '\n';
-  for (std::size_t i = 0; i != mesh.points.size(); ++i) {
-    out << i + input.first_index << ' ' << mesh.points[i].x << ' ' << mesh.points[i].y;
-    const double* row = attributes == 0 ? nullptr : attribute_row(mesh, input, i);
-    for (std::size_t k = 0; k != attributes; ++k) out << ' ' << (row ? row[k] : 0.0);
-    if (marked) out << ' ' << mesh.point_markers[i];
-    out << '\n';
-  }
-}
-
-inline void write_ele(TextSink& out, const PlanarMesh& mesh, std::size_t first) {
-  const bool labelled = std::ranges::any_of(mesh.regions, [](int label) { return label != 0; });
-  out << mesh.triangles.size() << " 3 " << int{labelled} << '\n';
-  for (std::size_t i = 0; i != mesh.triangles.size(); ++i) {
-    const auto& t = mesh.triangles[i];
-    out << i + first << ' ' << t[0] + first << ' ' << t[1] + first << ' ' << t[2] + first;
-    if (labelled) out << ' ' << mesh.regions[i];
-    out << '\n';
-  }
-}
-
 inline void write_edge(TextSink& out, const PlanarMesh& mesh, std::size_t first) {
   const std::vector<MarkedEdge> edges = all_edges(mesh);
   out << edges.size() << " 1\n";
@@ -108,10 +82,7 @@ inline void write_edge(TextSink& out, const PlanarMesh& mesh, std::size_t first)
 inline void write_poly(TextSink& out, const PlanarMesh& mesh, const Pslg& input) {
   const std::size_t first = input.first_index;
   out << "0 2 0 " << int{!mesh.point_markers.empty()} << '\n' << mesh.edges.size() << " 1\n";
-  for (std::size_t i = 0; i != mesh.edges.size(); ++i) {
-    out << i + first << ' ' << mesh.edges[i][0] + first << ' ' << mesh.edges[i][1] + first << ' '
-        << (mesh.edge_markers.empty() ? 0 : mesh.edge_markers[i]) << '\n';
-  }
+  write_cell_records(out, std::get<1>(mesh_blocks(mesh)), first, true);
   out << input.holes.size() << '\n';
   std::size_t number = first;
   for (const Point2& hole : input.holes) out << number++ << ' ' << hole.x << ' ' << hole.y << '\n';
@@ -124,66 +95,21 @@ inline void write_poly(TextSink& out, const PlanarMesh& mesh, const Pslg& input)
   }
 }
 
-inline PlanarMesh::Index read_mesh_index(TextScanner& in, const Pslg& nodes, std::string_view what, std::size_t id) {
-  const auto index = read_vertex_index(in, nodes, what, id);
-  if (index >= nodes.points.size()) {
-    in.fail(fmt::format("{} {} is vertex {}, but the vertices are numbered from {} and there are {}", what, id,
-                        index + std::size_t{nodes.first_index}, nodes.first_index, nodes.points.size()));
-  }
-  return index;
-}
-
-inline void read_ele(std::string_view text, const std::string& name, const Pslg& nodes, PlanarMesh& mesh, const Control& control) {
-  TextScanner in(text, name, TextScanner::Layout::lines);
-  in.need_line("the number of triangles");
-  const std::size_t count = in.count("the number of triangles", 1);
-  if (const auto corners = in.integer<std::uint32_t>("the number of vertices of a triangle"); corners != 3) {
-    in.fail(fmt::format("the triangles have {} vertices each; only triangles with 3 are read", corners));
-  }
-  const auto attributes = in.has_field() ? in.integer<std::uint32_t>("the number of attributes") : 0;
-  in.check_room(count, 8, "the number of triangles");
-  mesh.triangles.reserve(count);
-  mesh.regions.reserve(count);
-  for (std::size_t i = 0; i != count; ++i) {
-    ask_sometimes(control, i);
-    in.need_line("triangle", i + nodes.first_index);
-    const auto number = in.integer<std::uint32_t>("the number of a triangle");
-    const auto a = read_mesh_index(in, nodes, "the first vertex of triangle", number);
-    const auto b = read_mesh_index(in, nodes, "the second vertex of triangle", number);
-    mesh.triangles.push_back({a, b, read_mesh_index(in, nodes, "the third vertex of triangle", number)});
-    mesh.regions.push_back(attributes != 0 ? read_label(in, "the attribute of triangle", number) : 0);
-  }
-}
-
-/// The edges with a marker: what an .edge file tells of the subsegments.
-inline void read_edge(std::string_view text, const std::string& name, const Pslg& nodes, PlanarMesh& mesh, const Control& control) {
-  TextScanner in(text, name, TextScanner::Layout::lines);
-  in.need_line("the number of edges");
-  const std::size_t count = in.count("the number of edges", 1);
-  const bool marked = read_marker_count(in, "the number of edge markers");
-  for (std::size_t i = 0; i != count && marked; ++i) {
-    ask_sometimes(control, i);
-    in.need_line("edge", i + nodes.first_index);
-    const auto number = in.integer<std::uint32_t>("the number of an edge");
-    const auto a = read_mesh_index(in, nodes, "the first end of edge", number);
-    const auto b = read_mesh_index(in, nodes, "the second end of edge", number);
-    const int marker = in.integer<int>("the marker of edge", number);
-    if (marker == 0) continue;
-    mesh.edges.push_back({a, b});
-    mesh.edge_markers.push_back(marker);
-  }
-}
-
 }  // namespace detail
 
-/// Writes the four files of `triangle_mesh_files(path)`. Numbers start at `input.first_index`; holes, regions and attributes are
-/// the input's, which may be empty. A Steiner vertex has the attributes 0. Throws `OutputError`.
-inline void write_triangle_mesh(const std::filesystem::path& path, const PlanarMesh& mesh, const Pslg& input = {}) {
-  const auto [node, ele, edge, poly] = triangle_mesh_files(path);
-  write_file(node, [&](TextSink& out) { detail::write_node(out, mesh, input); });
-  write_file(ele, [&](TextSink& out) { detail::write_ele(out, mesh, input.first_index); });
-  write_file(edge, [&](TextSink& out) { detail::write_edge(out, mesh, input.first_index); });
-  write_file(poly, [&](TextSink& out) { detail::write_poly(out, mesh, input); });
+/// Writes the four files of `triangle_mesh_files(path)`, all of them or none. Numbers start at `input.first_index`; holes, regions and attributes are
+/// the input's, which may be empty. A Steiner vertex has the attributes 0. Throws `OutputError`, and `Interrupted` when the control says
+/// stop.
+inline void write_triangle_mesh(const std::filesystem::path& path, const PlanarMesh& mesh, const Pslg& input = {},
+                                const Control& control = Control{}) {
+  const auto write = [&](const std::array<TextSink*, 4>& sinks) {
+    const auto [node, ele, edge, poly] = sinks;
+    detail::write_node_records(*node, mesh, input, std::identity());
+    detail::write_ele_records(*ele, std::get<0>(detail::mesh_blocks(mesh)), input.first_index);
+    detail::write_edge(*edge, mesh, input.first_index);
+    detail::write_poly(*poly, mesh, input);
+  };
+  write_file_set(triangle_mesh_files(path), write, control);
 }
 
 /// The text of a mesh in Triangle's format; an empty `poly` or `edge` is a file that is not there.
@@ -197,7 +123,8 @@ struct TriangleMeshText {
 inline PlanarMesh parse_triangle_mesh(const TriangleMeshText& text, const std::string& stem, const Control& control = Control{}) {
   Pslg nodes = parse_triangle_node(text.node, stem + ".node", control);
   PlanarMesh mesh;
-  detail::read_ele(text.ele, stem + ".ele", nodes, mesh, control);
+  const auto [triangles, edges] = detail::mesh_blocks(mesh);
+  detail::read_ele_records(text.ele, stem + ".ele", nodes, "triangle", "triangles", triangles, control);
   if (!text.poly.empty()) {
     Pslg poly = parse_triangle_poly(text.poly, stem + ".poly", [&] { return nodes; }, control);
     if (poly.points.size() != nodes.points.size()) {
@@ -212,7 +139,7 @@ inline PlanarMesh parse_triangle_mesh(const TriangleMeshText& text, const std::s
     mesh.edge_markers = poly.segment_markers.empty() ? std::vector<int>(poly.segments.size(), 0) : std::move(poly.segment_markers);
     mesh.edges = std::move(poly.segments);
   } else if (!text.edge.empty()) {
-    detail::read_edge(text.edge, stem + ".edge", nodes, mesh, control);
+    detail::read_marked_records(text.edge, stem + ".edge", nodes, "end", "edge", edges, true, control);
   }
   mesh.points = std::move(nodes.points);
   mesh.point_markers = std::move(nodes.point_markers);

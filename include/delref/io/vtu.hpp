@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Writes VTK's XML format for unstructured grids, which ParaView opens: the triangles, then the subsegments as lines. It carries
-// all that a PlanarMesh holds. Arrays are base64 without compression, so that every double is exact and a mesh of millions of
-// triangles is written as fast as the disk takes it.
+// Writes VTK's XML format for unstructured grids, which ParaView opens: the tetrahedra of a mesh of space, triangles, subsegments as
+// lines. It carries all that a mesh holds. Arrays are base64 without compression, so that every double is exact and a mesh of
+// millions of cells is written as fast as the disk takes it.
 //
 // Points: marker, provenance (the index of a level in level_names, -1 for the input), carrier_dimension, carrier (-1 for none).
-// Cells: region and min_angle in degrees of triangles, marker and segment of lines. A value that a cell cannot have is 0, for
-// min_angle not a number, for segment -1. Field data: level_names, the bytes of the names with a line feed between two.
+// Cells: region of the mesh's own cells, marker of those on input elements, segment of lines, facet of the triangles in space; in the
+// plane min_angle in degrees, in space the dimension of the cell. A value that a cell cannot have is 0, for min_angle not a number,
+// for segment and facet -1. Field data: level_names, the bytes of the names with a line feed between two.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -18,10 +20,12 @@
 #include <string_view>
 #include <type_traits>
 
+#include <delref/core/budget.hpp>
+#include <delref/core/carrier.hpp>
 #include <delref/io/base64.hpp>
 #include <delref/io/file.hpp>
+#include <delref/io/mesh_blocks.hpp>
 #include <delref/io/smallest_angles.hpp>
-#include <delref/mesh/planar_mesh.hpp>
 
 namespace delref {
 
@@ -57,7 +61,18 @@ void write_vtu_values(TextSink& out, std::string_view name, std::size_t count, V
   });
 }
 
-inline void write_vtu_field_data(TextSink& out, const PlanarMesh& mesh) {
+/// An array of one number per cell; `value(block, i)` gives that of the i-th cell of a block.
+template <class Number, class Mesh, class Value>
+void write_vtu_cell_values(TextSink& out, std::string_view name, const Mesh& mesh, Value&& value) {
+  write_vtu_array<Number>(out, name, cell_count(mesh), 1, [&](auto&& put) {
+    for_each_block(mesh, [&](const auto& block) {
+      for (std::size_t i = 0; i != block.cells.size(); ++i) put(static_cast<Number>(value(block, i)));
+    });
+  });
+}
+
+template <class Mesh>
+void write_vtu_field_data(TextSink& out, const Mesh& mesh) {
   if (mesh.level_names.empty()) return;
   std::string names;
   for (const std::string& name : mesh.level_names) names += (names.empty() ? "" : "\n") + name;
@@ -66,7 +81,8 @@ inline void write_vtu_field_data(TextSink& out, const PlanarMesh& mesh) {
   out << "</DataArray>\n</FieldData>\n";
 }
 
-inline void write_vtu_point_data(TextSink& out, const PlanarMesh& mesh) {
+template <class Mesh>
+void write_vtu_point_data(TextSink& out, const Mesh& mesh) {
   const std::size_t count = mesh.points.size();
   out << "<PointData>\n";
   if (!mesh.point_markers.empty()) write_vtu_values<std::int32_t>(out, "marker", count, [&](std::size_t i) { return mesh.point_markers[i]; });
@@ -81,55 +97,77 @@ inline void write_vtu_point_data(TextSink& out, const PlanarMesh& mesh) {
   out << "</PointData>\n";
 }
 
-inline void write_vtu_cell_data(TextSink& out, const PlanarMesh& mesh) {
-  const std::size_t triangles = mesh.triangles.size(), cells = triangles + mesh.edges.size();
-  const SmallestAngles angles(mesh);
-  const auto smallest_angle = [&](std::size_t i) { return i < triangles ? angles(i) : std::numeric_limits<double>::quiet_NaN(); };
+template <class Mesh>
+void write_vtu_cell_data(TextSink& out, const Mesh& mesh) {
+  constexpr std::size_t own = dimension_of<Mesh>;
+  bool marked = false;
+  for_each_block(mesh, [&](const auto& block) { marked = marked || (block.dimension != own && !block.labels.empty()); });
   out << "<CellData>\n";
-  if (!mesh.regions.empty()) write_vtu_values<std::int32_t>(out, "region", cells, [&](std::size_t i) { return i < triangles ? mesh.regions[i] : 0; });
-  if (!mesh.edge_markers.empty()) {
-    write_vtu_values<std::int32_t>(out, "marker", cells, [&](std::size_t i) { return i < triangles ? 0 : mesh.edge_markers[i - triangles]; });
+  const auto label = [](bool wanted, const auto& block, std::size_t i) { return wanted ? block.label(i) : 0; };
+  if (!mesh.regions.empty()) {
+    write_vtu_cell_values<std::int32_t>(out, "region", mesh, [&](const auto& block, std::size_t i) { return label(block.dimension == own, block, i); });
   }
-  if (!mesh.edge_segments.empty()) {
-    write_vtu_values<std::int32_t>(out, "segment", cells,
-                                   [&](std::size_t i) { return i < triangles ? PlanarMesh::Index(-1) : mesh.edge_segments[i - triangles]; });
+  if (marked) {
+    write_vtu_cell_values<std::int32_t>(out, "marker", mesh, [&](const auto& block, std::size_t i) { return label(block.dimension != own, block, i); });
   }
-  write_vtu_values<float>(out, "min_angle", cells, smallest_angle);
+  for_each_block(mesh, [&](const auto& wanted) {
+    if (wanted.elements == nullptr || wanted.elements->empty()) return;
+    write_vtu_cell_values<std::int32_t>(out, element_names[wanted.dimension], mesh, [&](const auto& block, std::size_t i) {
+      return block.dimension == wanted.dimension ? (*block.elements)[i] : Carrier::none;
+    });
+  });
+  if constexpr (own == 2) {
+    const SmallestAngles angles(mesh);
+    write_vtu_cell_values<float>(out, "min_angle", mesh, [&](const auto& block, std::size_t i) {
+      return block.dimension == own ? angles(i) : std::numeric_limits<double>::quiet_NaN();
+    });
+  } else {
+    write_vtu_cell_values<std::uint8_t>(out, "dimension", mesh, [](const auto& block, std::size_t) { return block.dimension; });
+  }
   out << "</CellData>\n";
 }
 
-inline void write_vtu_cells(TextSink& out, const PlanarMesh& mesh) {
-  const std::size_t triangles = mesh.triangles.size(), cells = triangles + mesh.edges.size();
+/// VTK's numbers of lines, triangles and tetrahedra, by dimension.
+inline constexpr std::array<std::uint8_t, 4> vtk_cell_types{1, 3, 5, 10};
+
+template <class Mesh>
+void write_vtu_cells(TextSink& out, const Mesh& mesh) {
   out << "<Cells>\n";
-  write_vtu_array<std::int32_t>(out, "connectivity", 3 * triangles + 2 * mesh.edges.size(), 1, [&](auto&& put) {
-    for (const auto& triangle : mesh.triangles) for (const auto v : triangle) put(static_cast<std::int32_t>(v));
-    for (const auto& edge : mesh.edges) for (const auto v : edge) put(static_cast<std::int32_t>(v));
+  std::size_t corners = 0, end = 0;
+  for_each_block(mesh, [&](const auto& block) { corners += block.corners * block.cells.size(); });
+  write_vtu_array<std::int32_t>(out, "connectivity", corners, 1, [&](auto&& put) {
+    for_each_block(mesh, [&](const auto& block) {
+      for (const auto& cell : block.cells) for (const auto v : cell) put(static_cast<std::int32_t>(v));
+    });
   });
-  write_vtu_values<std::int32_t>(out, "offsets", cells, [&](std::size_t i) { return i < triangles ? 3 * (i + 1) : triangles + 2 * (i + 1); });
-  write_vtu_values<std::uint8_t>(out, "types", cells, [&](std::size_t i) { return i < triangles ? 5 : 3; });
+  write_vtu_cell_values<std::int32_t>(out, "offsets", mesh, [&](const auto& block, std::size_t) { return end += block.corners; });
+  write_vtu_cell_values<std::uint8_t>(out, "types", mesh, [](const auto& block, std::size_t) { return vtk_cell_types[block.dimension]; });
   out << "</Cells>\n";
 }
 
 }  // namespace detail
 
-/// Writes the mesh with all its data. Requires fewer than 700 million triangles. Throws `OutputError`.
-inline void write_vtu(const std::filesystem::path& path, const PlanarMesh& mesh) {
-  write_file(path, [&](TextSink& out) {
+/// Writes the mesh with all its data. Requires fewer than 500 million cells. Throws `OutputError`, and `Interrupted` when the control
+/// says stop.
+template <IndexedMesh Mesh>
+void write_vtu(const std::filesystem::path& path, const Mesh& mesh, const Control& control = Control{}) {
+  const auto write = [&](TextSink& out) {
     const bool little = std::endian::native == std::endian::little;
     out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\""
         << (little ? "LittleEndian" : "BigEndian") << "\" header_type=\"UInt64\">\n<UnstructuredGrid>\n";
     detail::write_vtu_field_data(out, mesh);
-    out << "<Piece NumberOfPoints=\"" << mesh.points.size() << "\" NumberOfCells=\"" << mesh.triangles.size() + mesh.edges.size() << "\">\n";
+    out << "<Piece NumberOfPoints=\"" << mesh.points.size() << "\" NumberOfCells=\"" << detail::cell_count(mesh) << "\">\n";
     detail::write_vtu_point_data(out, mesh);
     detail::write_vtu_cell_data(out, mesh);
     out << "<Points>\n";
     detail::write_vtu_array<double>(out, "Points", mesh.points.size(), 3, [&](auto&& put) {
-      for (const Point2& p : mesh.points) put(p.x), put(p.y), put(0.0);
+      for (const auto& p : mesh.points) for (const double x : detail::coordinates(p)) put(x);
     });
     out << "</Points>\n";
     detail::write_vtu_cells(out, mesh);
     out << "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
-  });
+  };
+  write_file(path, write, control);
 }
 
 }  // namespace delref

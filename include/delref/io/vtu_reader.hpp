@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reads planar meshes of triangles and lines from VTK's XML format for unstructured grids: what `write_vtu` writes, and what VTK,
+// Reads meshes of lines, triangles and (in space) tetrahedra from VTK's XML format for unstructured grids: what `write_vtu` writes, and what VTK,
 // ParaView and meshio write as text or as base64, inline or appended, without compression.
 #pragma once
 
@@ -22,9 +22,11 @@
 
 #include <delref/core/budget.hpp>
 #include <delref/io/base64.hpp>
+#include <delref/io/binary_numbers.hpp>
 #include <delref/io/file.hpp>
+#include <delref/io/mesh_blocks.hpp>
 #include <delref/io/text_scanner.hpp>
-#include <delref/mesh/planar_mesh.hpp>
+#include <delref/io/vtu.hpp>
 
 namespace delref {
 
@@ -35,7 +37,7 @@ class VtuArrays {
  public:
   VtuArrays(pugi::xml_node root, std::string file, const Control& control) : file_(std::move(file)), control_(control) {
     const std::string_view order = root.attribute("byte_order").as_string("LittleEndian");
-    swap_ = (order == "LittleEndian") != (std::endian::native == std::endian::little);
+    order_ = order == "LittleEndian" ? std::endian::little : std::endian::big;
     wide_ = std::string_view(root.attribute("header_type").as_string("UInt32")) == "UInt64";
     appended_ = root.child("AppendedData").text().get();
     if (const auto start = appended_.find('_'); start != std::string_view::npos) appended_.remove_prefix(start + 1);
@@ -103,15 +105,14 @@ class VtuArrays {
   }
   template <class Number>
   Number number(const char* bytes) const {
-    std::array<char, sizeof(Number)> copy{};
-    for (std::size_t i = 0; i != copy.size(); ++i) copy[i] = bytes[swap_ ? copy.size() - 1 - i : i];
-    return std::bit_cast<Number>(copy);
+    return number_from_bytes<Number>(bytes, order_);
   }
 
   std::string file_;
   const Control& control_;
   std::string_view appended_;
-  bool swap_ = false, wide_ = false;
+  std::endian order_ = std::endian::little;
+  bool wide_ = false;
 };
 
 /// Integers between two bounds, or a complaint with the place of the first that is not.
@@ -128,62 +129,63 @@ std::vector<Integer> vtu_integers(const std::vector<double>& values, const std::
   return integers;
 }
 
-/// Where the triangles and lines stand among the cells.
-struct VtuCells {
-  std::vector<std::size_t> triangles, edges;
+/// Where the cells of each dimension stand among all cells.
+using VtuPlaces = std::array<std::vector<std::size_t>, 4>;
 
-  template <class Value>
-  static std::vector<Value> pick(const std::vector<Value>& all, const std::vector<std::size_t>& cells) {
-    std::vector<Value> picked;
-    if (all.empty()) return picked;
-    picked.reserve(cells.size());
-    for (const std::size_t i : cells) picked.push_back(all[i]);
-    return picked;
-  }
-};
+template <class Value>
+std::vector<Value> pick(const std::vector<Value>& all, const std::vector<std::size_t>& cells) {
+  std::vector<Value> picked;
+  if (all.empty()) return picked;
+  picked.reserve(cells.size());
+  for (const std::size_t i : cells) picked.push_back(all[i]);
+  return picked;
+}
 
 /// The corners of cell `i`, which start at `begin`.
 template <std::size_t Corners>
-void add_vtu_cell(std::vector<std::array<PlanarMesh::Index, Corners>>& out, const std::vector<PlanarMesh::Index>& corners, std::uint64_t begin,
+void add_vtu_cell(std::vector<std::array<std::uint32_t, Corners>>& out, const std::vector<std::uint32_t>& corners, std::uint64_t begin,
                   std::uint64_t end, std::size_t i, const std::string& file) {
   if (end > corners.size() || end < begin || end - begin != Corners) {
     throw InvalidInput(fmt::format("{}: cell {} should have {} corners; its offsets are {} and {}, the connectivity has {} numbers", file, i,
                                    Corners, begin, end, corners.size()));
   }
-  std::array<PlanarMesh::Index, Corners> cell{};
+  std::array<std::uint32_t, Corners> cell{};
   for (std::size_t k = 0; k != Corners; ++k) cell[k] = corners[begin + k];
   out.push_back(cell);
 }
 
-inline VtuCells read_vtu_cells(const VtuArrays& arrays, pugi::xml_node piece, std::size_t count, const std::string& file, PlanarMesh& mesh) {
+template <class Mesh>
+VtuPlaces read_vtu_cells(const VtuArrays& arrays, pugi::xml_node piece, std::size_t count, const std::string& file, Mesh& mesh) {
   const pugi::xml_node cells = piece.child("Cells");
   const auto all = [&](const char* name) {
     const pugi::xml_node node = cells.find_child_by_attribute("DataArray", "Name", name);
     if (!node) throw InvalidInput(fmt::format("{}: the cells have no array \"{}\"", file, name));
     return node;
   };
-  const auto corners = vtu_integers<PlanarMesh::Index>(arrays.read(all("connectivity")), file + ": in connectivity, number", 0,
-                                                       static_cast<double>(mesh.points.size()) - 1);
+  const auto corners = vtu_integers<std::uint32_t>(arrays.read(all("connectivity")), file + ": in connectivity, number", 0,
+                                                   static_cast<double>(mesh.points.size()) - 1);
   const auto offsets = vtu_integers<std::uint64_t>(arrays.read(all("offsets"), count), file + ": the offset of cell", 0, 1e15);
   const auto types = vtu_integers<int>(arrays.read(all("types"), count), file + ": the type of cell", 0, 255);
-  VtuCells places;
+  VtuPlaces places;
   for (std::size_t i = 0; i != count; ++i) {
-    const std::uint64_t begin = i == 0 ? 0 : offsets[i - 1];
-    if (types[i] == 5) {
-      add_vtu_cell(mesh.triangles, corners, begin, offsets[i], i, file);
-      places.triangles.push_back(i);
-    } else if (types[i] == 3) {
-      add_vtu_cell(mesh.edges, corners, begin, offsets[i], i, file);
-      places.edges.push_back(i);
-    } else if (types[i] != 1) {
-      throw InvalidInput(fmt::format("{}: cell {} is of type {}; only triangles (5), lines (3) and vertices (1) are read", file, i, types[i]));
+    bool known = types[i] == vtk_cell_types[0];
+    for_each_block(mesh, [&](const auto& block) {
+      if (types[i] != vtk_cell_types[block.dimension]) return;
+      known = true;
+      add_vtu_cell(block.cells, corners, i == 0 ? 0 : offsets[i - 1], offsets[i], i, file);
+      places[block.dimension].push_back(i);
+    });
+    if (!known) {
+      throw InvalidInput(fmt::format("{}: cell {} is of type {}; only {}triangles (5), lines (3) and vertices (1) are read", file, i, types[i],
+                                     dimension_of<Mesh> == 3 ? "tetrahedra (10), " : ""));
     }
   }
   return places;
 }
 
-inline void read_vtu_data(const VtuArrays& arrays, pugi::xml_node grid, pugi::xml_node piece, const VtuCells& places, std::size_t cells,
-                          const std::string& file, PlanarMesh& mesh) {
+template <class Mesh>
+void read_vtu_data(const VtuArrays& arrays, pugi::xml_node grid, pugi::xml_node piece, const VtuPlaces& places, std::size_t cells,
+                   const std::string& file, Mesh& mesh) {
   constexpr double least = std::numeric_limits<std::int32_t>::min(), most = std::numeric_limits<std::int32_t>::max();
   const auto values = [&](const char* group, const char* name, std::size_t count, double low, double high) {
     return vtu_integers<int>(arrays.find(piece.child(group), name, count), fmt::format("{}: in {}, {}", file, group, name), low, high);
@@ -199,11 +201,15 @@ inline void read_vtu_data(const VtuArrays& arrays, pugi::xml_node grid, pugi::xm
       mesh.carriers.push_back({static_cast<std::uint8_t>(dimensions[i]), static_cast<std::uint32_t>(carriers[i])});
     }
   }
-  mesh.regions = VtuCells::pick(values("CellData", "region", cells, least, most), places.triangles);
-  mesh.edge_markers = VtuCells::pick(values("CellData", "marker", cells, least, most), places.edges);
-  for (const int segment : VtuCells::pick(values("CellData", "segment", cells, least, most), places.edges)) {
-    mesh.edge_segments.push_back(static_cast<PlanarMesh::Index>(segment));
-  }
+  const auto regions = values("CellData", "region", cells, least, most), markers = values("CellData", "marker", cells, least, most);
+  for_each_block(mesh, [&](const auto& block) {
+    const auto& here = places[block.dimension];
+    block.labels = pick(block.dimension == dimension_of<Mesh> ? regions : markers, here);
+    if (block.elements == nullptr) return;
+    for (const int element : pick(values("CellData", element_names[block.dimension].data(), cells, least, most), here)) {
+      block.elements->push_back(static_cast<std::uint32_t>(element));
+    }
+  });
   const pugi::xml_node names = grid.child("FieldData").find_child_by_attribute("DataArray", "Name", "level_names");
   if (!names) return;
   mesh.level_names.emplace_back();
@@ -217,7 +223,8 @@ inline void read_vtu_data(const VtuArrays& arrays, pugi::xml_node grid, pugi::xm
 
 /// The mesh in the text of a .vtu file; `name` is what complaints call it. Data that the file does not carry is left empty.
 /// Throws `InvalidInput` saying what is wrong where, `Interrupted` when the control says stop.
-inline PlanarMesh parse_vtu(std::string text, const std::string& name, const Control& control = Control{}) {
+template <IndexedMesh Mesh = PlanarMesh>
+Mesh parse_vtu(std::string text, const std::string& name, const Control& control = Control{}) {
   const auto fail = [&](std::string_view message) { throw InvalidInput(fmt::format("{}: {}", name, message)); };
   if (text.find("encoding=\"raw\"") != std::string::npos) fail("its data is appended raw; only text and base64 are read");
   pugi::xml_document document;
@@ -233,21 +240,27 @@ inline PlanarMesh parse_vtu(std::string text, const std::string& name, const Con
   const auto most = text.size();
   if (points > most || cells > most) fail(fmt::format("announces {} points and {} cells, more than its {} bytes can hold", points, cells, most));
 
-  PlanarMesh mesh;
+  Mesh mesh;
   const auto coordinates = arrays.read(piece.child("Points").child("DataArray"), 3 * points);
   mesh.points.reserve(points);
   for (std::size_t i = 0; i != points; ++i) {
-    if (coordinates[3 * i + 2] != 0) fail(fmt::format("point {} has z coordinate {}; only planar meshes, with z = 0, are read", i, coordinates[3 * i + 2]));
-    mesh.points.push_back({coordinates[3 * i], coordinates[3 * i + 1]});
+    const Point3 p{coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]};
+    if constexpr (detail::dimension_of<Mesh> == 2) {
+      if (p.z != 0) fail(fmt::format("point {} has z coordinate {}; only planar meshes, with z = 0, are read", i, p.z));
+      mesh.points.push_back({p.x, p.y});
+    } else {
+      mesh.points.push_back(p);
+    }
   }
-  const detail::VtuCells places = detail::read_vtu_cells(arrays, piece, cells, name, mesh);
+  const detail::VtuPlaces places = detail::read_vtu_cells(arrays, piece, cells, name, mesh);
   detail::read_vtu_data(arrays, grid, piece, places, cells, name, mesh);
   return mesh;
 }
 
 /// Reads a .vtu file. Throws as `read_file` and `parse_vtu`.
-inline PlanarMesh read_vtu(const std::filesystem::path& path, const Control& control = Control{}) {
-  return parse_vtu(read_file(path, control), path.string(), control);
+template <IndexedMesh Mesh = PlanarMesh>
+Mesh read_vtu(const std::filesystem::path& path, const Control& control = Control{}) {
+  return parse_vtu<Mesh>(read_file(path, control), path.string(), control);
 }
 
 }  // namespace delref

@@ -43,10 +43,7 @@ class EdgesLevel2 {
 
   void scan_triangulation(Tr& tr) {
     set_.clear();
-    for (const Element e : tr.subsegments()) {
-      test(tr, e);
-      test(tr, tr.mirror(e));
-    }
+    for (const typename Tr::Face f : tr.domain_faces()) test_edges(tr, f);
   }
 
   bool empty() const { return set_.empty(); }
@@ -54,14 +51,15 @@ class EdgesLevel2 {
   void pop_next_element(Tr& tr) { set_.pop(tr); }
   template <class F>
   void for_each_queued(F&& f) const { set_.for_each(f); }
+  std::size_t queued() const { return set_.size(); }
 
   Point2 refinement_point(const Tr& tr, const Element& e) const {
     const std::size_t s = tr.segment(e);
     const Point2 a = tr.point(tr.source(e)), b = tr.point(tr.target(e));
     auto corner = domain_->shell_corner(s, midpoint(a, b));
     if (!corner) corner = sharp_end(tr, e);
-    if (corner) return split_point_near_corner(a, b, domain_->point(s, *corner), domain_->point(s, 1 - *corner));
-    return split_point(a, b, domain_->point(s, 0), domain_->point(s, 1));
+    if (corner) return split_point_near_corner(a, b, segment_end(tr, e, *corner), segment_end(tr, e, 1 - *corner));
+    return split_point(a, b, segment_end(tr, e, 0), segment_end(tr, e, 1));
   }
   Carrier carrier(const Tr& tr, const Element& e) const { return {1, static_cast<std::uint32_t>(tr.segment(e))}; }
 
@@ -105,17 +103,21 @@ class EdgesLevel2 {
   Reason rejection_reason() const { return reason_; }
 
   void before_insertion(Tr& tr, const Proposal<Tr>& proposal) {
+    if (set_.empty()) return;
     for (const Element e : proposal.zone->dying_subsegments()) set_.erase(tr, e);
     for (const Element outer : proposal.zone->boundary_edges())
       if (tr.is_constrained(outer)) set_.rename(tr, outer);
   }
   void after_insertion(Tr& tr, typename Tr::Vertex, const Proposal<Tr>& proposal) {
-    for (const typename Tr::Face f : proposal.zone->new_faces())
-      for (int i = 0; i < 3; ++i)
-        if (const Element e = tr.edge(f, i); tr.is_constrained(e)) test(tr, e);
+    for (const typename Tr::Face f : proposal.zone->new_faces()) test_edges(tr, f);
   }
 
  private:
+  /// So many faces are searched for free vertices on one side of a subsegment. A circle holds a few dozen vertices at most where
+  /// angles are good; a star of thousands of needles is not searched through again for every split. What is missed stays a vertex of
+  /// the mesh and costs triangles only.
+  static constexpr std::size_t most_faces_searched = 64;
+
   /// Whether the apex of `e` is on another segment of a sharp corner of the segment of `e`, and so near that it is beside `e` only by
   /// rounding: both would split each other for ever.
   bool is_hopeless(const Tr& tr, const Element& e) const {
@@ -127,6 +129,13 @@ class EdgesLevel2 {
            domain_->meet_at_sharp_corner(tr.carrier(v), Carrier{1, static_cast<std::uint32_t>(tr.segment(e))});
   }
 
+  /// Queues those edges of `f` that its own vertices encroach.
+  void test_edges(Tr& tr, typename Tr::Face f) {
+    if constexpr (requires { tr.is_constrained(f); })
+      if (!tr.is_constrained(f)) return;
+    for (int i = 0; i < 3; ++i)
+      if (const Element e = tr.edge(f, i); tr.is_constrained(e)) test(tr, e);
+  }
   /// Queues `e` when the apex on its side encroaches it.
   void test(Tr& tr, const Element& e) {
     if (!tr.in_domain(tr.face(e))) return;
@@ -157,6 +166,13 @@ class EdgesLevel2 {
     return Verdict::rejected;
   }
 
+  /// An end of the segment of `e`: taken from a vertex of `e` where it is one, since the domain's own copy is far away in memory.
+  Point2 segment_end(const Tr& tr, const Element& e, std::size_t end) const {
+    const Carrier carrier{0, domain_->segments[tr.segment(e)].ends[end]};
+    for (const auto v : tr.vertices(e))
+      if (tr.carrier(v) == carrier) return tr.point(v);
+    return domain_->point(tr.segment(e), end);
+  }
   /// The sharp end of its segment at which the subsegment ends, if it does.
   std::optional<std::size_t> sharp_end(const Tr& tr, const Element& e) const {
     const PlanarDomain::Segment& s = domain_->segments[tr.segment(e)];
@@ -171,7 +187,7 @@ class EdgesLevel2 {
   void collect_free_vertices(const Tr& tr, const Element& e) {
     if (!tr.in_domain(tr.face(e))) return;
     visited_.assign(1, e);
-    for (std::size_t k = 0; k < visited_.size() && k < 64; ++k) {
+    for (std::size_t k = 0; k < visited_.size() && k < most_faces_searched; ++k) {
       const typename Tr::Vertex v = tr.apex(visited_[k]);
       if (!tr.in_diametral_circle(e, tr.point(v))) continue;
       if (tr.carrier(v).dimension == 2 && !is_listed(v)) free_vertices_.push_back(v);

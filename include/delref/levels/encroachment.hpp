@@ -19,6 +19,15 @@ concept Encroachment2 = std::copy_constructible<E> && requires(const E& policy, 
   { E::deletes_free_vertices } -> std::convertible_to<bool>;
 };
 
+/// Fails to compile with a sentence when `E` is no encroachment policy for `Tr`.
+template <class E, class Tr>
+consteval bool explain_encroachment() {
+  static_assert(Encroachment2<E, Tr>,
+                "an encroachment policy needs: encroaches(tr, subsegment, point) const that gives bool, and a static constexpr bool "
+                "deletes_free_vertices; and to be copy constructible");
+  return Encroachment2<E, Tr>;
+}
+
 /// A vertex strictly inside the circle that has the subsegment as diameter encroaches it (Ruppert 1995). The result is a
 /// conforming Delaunay triangulation; refinement is proven to end for angle bounds up to 20.7 degrees.
 struct DiametralCircle {

@@ -46,6 +46,7 @@ class FacesLevel2 {
   void pop_next_element(Tr& tr) { set_.pop(tr); }
   template <class F>
   void for_each_queued(F&& f) const { set_.for_each(f); }
+  std::size_t queued() const { return set_.size(); }
 
   Point2 refinement_point(const Tr& tr, const Element& f) const { return points_.point(shape(tr, f)); }
 

@@ -17,6 +17,15 @@ concept PointChoice2 = std::copy_constructible<P> && requires(const P& policy, c
   { policy.point(shape) } -> std::same_as<Point2>;
 };
 
+/// Fails to compile with a sentence when `P` is no point policy.
+template <class P>
+consteval bool explain_point_choice() {
+  static_assert(PointChoice2<P>,
+                "a point policy needs: point(shape) const that gives a delref::Point2 for a delref::TriangleShape; and to be copy "
+                "constructible");
+  return PointChoice2<P>;
+}
+
 /// The centre of the circumcircle. Not finite when the triangle is flat.
 struct Circumcentre {
   Point2 point(const TriangleShape& t) const { return t.corners[0] + offset(t, 0); }

@@ -56,12 +56,10 @@ inline PlanarQuality planar_quality(const PlanarMesh& mesh) {
   PreciseSum total, angles;
   for (const auto& [a, b, c] : mesh.triangles) {
     const TriangleMeasures shape(scaling(mesh.points[a]), scaling(mesh.points[b]), scaling(mesh.points[c]));
-    const double smallest = shape.smallest_angle();
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double angle = shape.angle(i);
-      count(q.all_angles, angle);
-      q.largest_angle = std::max(q.largest_angle, angle);
-    }
+    const std::array<double, 3> all = shape.angles();
+    for (const double angle : all) count(q.all_angles, angle);
+    q.largest_angle = std::max(q.largest_angle, std::ranges::max(all));
+    const double smallest = std::ranges::min(all);
     count(q.smallest_angles, smallest);
     angles += smallest;
     q.smallest_angle = std::min(q.smallest_angle, smallest);

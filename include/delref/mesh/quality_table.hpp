@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -15,26 +16,33 @@
 
 namespace delref {
 
-/// Counts per bin as lines "from - to  count  share  bar", between the first and the last bin that is not empty. The longest bar
-/// has 40 characters; a count that is not 0 has at least a dot.
-inline std::string histogram_text(std::span<const std::size_t> bins, double degrees_per_bin) {
+/// Counts per bin as lines "name  count  share  bar", between the first and the last bin that is not empty; `name(i)` gives the
+/// bin's range in words. The longest bar has 40 characters; a count that is not 0 has at least a dot.
+template <std::invocable<std::size_t> Name>
+std::string histogram_text(std::span<const std::size_t> bins, Name&& name) {
   const auto filled = [](std::size_t n) { return n != 0; };
   const auto first = std::ranges::find_if(bins, filled);
   if (first == bins.end()) return "  (nothing to count)\n";
   std::size_t total = 0;
   for (const std::size_t n : bins) total += n;
-  const double largest = static_cast<double>(std::ranges::max(bins));
+  const auto largest = static_cast<double>(std::ranges::max(bins));
   auto last = bins.size();
   while (bins[last - 1] == 0) --last;
   std::string text;
   for (auto i = static_cast<std::size_t>(first - bins.begin()); i < last; ++i) {
-    const double n = static_cast<double>(bins[i]);
+    const auto n = static_cast<double>(bins[i]);
     const auto length = static_cast<std::size_t>(std::lround(40 * n / largest));
     const std::string bar = bins[i] == 0 ? "" : length == 0 ? "." : std::string(length, '#');
-    text += fmt::format("  {:>3} - {:<3} {:>10} {:>6.1f} %  {}\n", degrees_per_bin * static_cast<double>(i),
-                        degrees_per_bin * static_cast<double>(i + 1), bins[i], 100 * n / static_cast<double>(total), bar);
+    text += fmt::format("  {} {:>10} {:>6.1f} %  {}\n", name(i), bins[i], 100 * n / static_cast<double>(total), bar);
   }
   return text;
+}
+
+/// The same for bins of so many degrees, the first from 0.
+inline std::string histogram_text(std::span<const std::size_t> bins, double degrees_per_bin) {
+  return histogram_text(bins, [&](std::size_t i) {
+    return fmt::format("{:>3} - {:<3}", degrees_per_bin * static_cast<double>(i), degrees_per_bin * static_cast<double>(i + 1));
+  });
 }
 
 /// The whole table, ending in a line feed.

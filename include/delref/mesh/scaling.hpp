@@ -30,17 +30,24 @@ class PowerOfTwoScaling {
   double factor() const { return factor_; }
   double length(double original) const { return original * factor_; }
   double area(double original) const { return original * factor_ * factor_; }
+  double volume(double original) const { return original * factor_ * factor_ * factor_; }
   double original_length(double scaled) const { return std::ldexp(scaled, exponent_); }
   double original_area(double scaled) const { return std::ldexp(scaled, 2 * exponent_); }
+  double original_volume(double scaled) const { return std::ldexp(scaled, 3 * exponent_); }
   Point2 operator()(Point2 p) const { return {p.x * factor_, p.y * factor_}; }
-  std::vector<Point2> operator()(std::span<const Point2> points) const {
-    std::vector<Point2> scaled;
+  Point3 operator()(Point3 p) const { return {p.x * factor_, p.y * factor_, p.z * factor_}; }
+  std::vector<Point2> operator()(std::span<const Point2> points) const { return each(points); }
+  std::vector<Point3> operator()(std::span<const Point3> points) const { return each(points); }
+
+ private:
+  template <class Point>
+  std::vector<Point> each(std::span<const Point> points) const {
+    std::vector<Point> scaled;
     scaled.reserve(points.size());
-    for (const Point2 p : points) scaled.push_back((*this)(p));
+    for (const Point p : points) scaled.push_back((*this)(p));
     return scaled;
   }
 
- private:
   int exponent_ = 0;
   double factor_ = 1;
 };
@@ -50,6 +57,13 @@ inline double largest_absolute_coordinate(std::span<const Point2> points) {
   double largest = 0;
   for (const Point2 p : points)
     for (const double c : {std::abs(p.x), std::abs(p.y)})
+      if (std::isfinite(c)) largest = std::max(largest, c);
+  return largest;
+}
+inline double largest_absolute_coordinate(std::span<const Point3> points) {
+  double largest = 0;
+  for (const Point3 p : points)
+    for (const double c : {std::abs(p.x), std::abs(p.y), std::abs(p.z)})
       if (std::isfinite(c)) largest = std::max(largest, c);
   return largest;
 }

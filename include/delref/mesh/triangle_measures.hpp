@@ -42,6 +42,16 @@ class TriangleMeasures {
   double angle(std::size_t i) const {
     return angle_degrees(corner_[(i + 1) % 3] - corner_[i], corner_[(i + 2) % 3] - corner_[i]);
   }
+  /// The angles in degrees, by corner. The largest is what the others leave of 180: two arc tangents are computed, not three.
+  std::array<double, 3> angles() const {
+    const auto largest = static_cast<std::size_t>(std::ranges::max_element(squared_edge_) - squared_edge_.begin());
+    const std::size_t second = (largest + 1) % 3, third = (largest + 2) % 3;
+    std::array<double, 3> result{};
+    result[second] = angle(second);
+    result[third] = angle(third);
+    result[largest] = 180 - result[second] - result[third];
+    return result;
+  }
   /// The smallest angle in degrees: the one opposite to the shortest edge.
   double smallest_angle() const { return angle(shortest()); }
   Point2 barycentre() const { return corner_[0] + (1.0 / 3) * ((corner_[1] - corner_[0]) + (corner_[2] - corner_[0])); }

@@ -150,7 +150,7 @@ class PlanarVerification {
   Subject subject_;
   const PlanarCriteria& criteria_;
   VerifyReport report_;
-  Shortfalls shortfalls_;
+  Shortfalls<Point2> shortfalls_;
   std::optional<MeshTopology> topology_;
   std::optional<InputDomain> domain_;
   std::optional<Chains> chains_;

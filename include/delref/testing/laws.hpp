@@ -75,10 +75,10 @@ class LawRun {
     using Key = std::array<std::size_t, 4>;
     std::array<std::vector<Key>, sizeof...(Levels)> first;
     mesher_.scan(trace);
-    each_level([&](LevelIndex i, auto& level) { first[i] = level.queued(mesher_.triangulation()); });
+    each_level([&](LevelIndex i, auto& level) { first[i] = level.queued_keys(mesher_.triangulation()); });
     mesher_.scan(trace);
     each_level([&](LevelIndex i, auto& level) {
-      const auto second = level.queued(mesher_.triangulation());
+      const auto second = level.queued_keys(mesher_.triangulation());
       if (second != first[i])
         book_->breach(level.who(), "does not make the same set when it scans again",
                       std::to_string(first[i].size()) + " elements, then " + std::to_string(second.size()));
@@ -87,13 +87,13 @@ class LawRun {
 
   void check_end() {
     each_level([&](LevelIndex, auto& level) {
-      if (const auto left = level.queued(mesher_.triangulation()); !left.empty())
+      if (const auto left = level.queued_keys(mesher_.triangulation()); !left.empty())
         book_->breach(level.who(), "says that its set is empty and lists elements", std::to_string(left.size()) + " of them");
     });
     const auto outcome = mesher_.outcome();
     mesher_.scan();
     each_level([&](LevelIndex i, auto& level) {
-      for (const auto& key : level.queued(mesher_.triangulation()))
+      for (const auto& key : level.queued_keys(mesher_.triangulation()))
         if (!is_given_up(outcome, i, key))
           book_->breach(level.who(), "leaves an element that violates its rule, neither refined nor given up",
                         "vertices " + std::to_string(key[0]) + ", " + std::to_string(key[1]) + ", ...");

@@ -38,7 +38,7 @@ class WatchedLevel {
   const std::string& who() const { return who_; }
 
   /// What waits in its set, sorted; empty when `L` does not list it.
-  std::vector<Key> queued(const Tr& tr) const {
+  std::vector<Key> queued_keys(const Tr& tr) const {
     std::vector<Key> keys;
     level_options::for_each_queued(level_, [&](const Element& e) { keys.push_back(key(tr, e)); });
     std::ranges::sort(keys);
@@ -50,12 +50,12 @@ class WatchedLevel {
   bool empty() const { return level_.empty(); }
   Element next_element() { return level_.next_element(); }
   void pop_next_element(Tr& tr) {
-    std::vector<Key> before = queued(tr);
+    std::vector<Key> before = queued_keys(tr);
     const Key next = key(tr, level_.next_element());
     level_.pop_next_element(tr);
     if (!lists) return;
     if (const auto found = std::ranges::find(before, next); found != before.end()) before.erase(found);
-    if (queued(tr) != before)
+    if (queued_keys(tr) != before)
       breach("pops something else than its next element", "the next element has " + words(next));
   }
   Point refinement_point(const Tr& tr, const Element& e) { return level_.refinement_point(tr, e); }
@@ -64,7 +64,7 @@ class WatchedLevel {
   }
 
   void before_insertion(Tr& tr, const Proposal<Tr>& proposal) {
-    std::vector<Key> expected = queued(tr);
+    std::vector<Key> expected = queued_keys(tr);
     const std::vector<Key> dying = dying_of(tr, *proposal.zone);
     level_.before_insertion(tr, proposal);
     const std::vector<Key> still_there = dying_of(tr, *proposal.zone);
@@ -77,7 +77,7 @@ class WatchedLevel {
     expect_kept(tr, expected, proposal);
   }
   void after_insertion(Tr& tr, typename Tr::Vertex v, const Proposal<Tr>& proposal) {
-    const std::vector<Key> before = queued(tr);
+    const std::vector<Key> before = queued_keys(tr);
     level_.after_insertion(tr, v, proposal);
     expect_kept(tr, before, proposal);
   }
@@ -164,7 +164,7 @@ class WatchedLevel {
   /// Nothing of `before` has left the set.
   void expect_kept(const Tr& tr, const std::vector<Key>& before, const Proposal<Tr>& proposal) {
     if (!lists || book_->ended()) return;
-    const std::vector<Key> after = queued(tr);
+    const std::vector<Key> after = queued_keys(tr);
     std::vector<Key> lost;
     std::ranges::set_difference(before, after, std::back_inserter(lost));
     if (!lost.empty())
@@ -175,14 +175,14 @@ class WatchedLevel {
   /// Asks, and holds the answer against the laws.
   template <class Ask>
   auto judge(const Tr& tr, const Proposal<Tr>& proposal, Ask&& ask) {
-    const std::vector<Key> before = queued(tr);
+    const std::vector<Key> before = queued_keys(tr);
     const bool was_empty = level_.empty();
     const auto answer = ask();
     if (answer == Verdict::rejected) {
       if (proposal.level == index_) breach("rejects points of its own", describe(tr, proposal));
       else if (level_.empty()) breach("rejects a point and has no work of its own", describe(tr, proposal));
     }
-    if (answer == Verdict::rejected_forever && (queued(tr) != before || level_.empty() != was_empty))
+    if (answer == Verdict::rejected_forever && (queued_keys(tr) != before || level_.empty() != was_empty))
       breach("rejects a point for ever and changes its set", describe(tr, proposal));
     expect_kept(tr, before, proposal);
     return answer;

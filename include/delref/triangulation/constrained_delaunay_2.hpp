@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -19,6 +20,7 @@
 #include <delref/core/carrier.hpp>
 #include <delref/core/point.hpp>
 #include <delref/core/proposal.hpp>
+#include <delref/triangulation/detail/planar_filters.hpp>
 #include <delref/triangulation/detail/planar_records.hpp>
 #include <delref/triangulation/detail/range_of.hpp>
 
@@ -53,12 +55,20 @@ class ConstrainedDelaunay2 {
   struct Face {
     CgalFace handle{};
     friend bool operator==(const Face& a, const Face& b) { return a.handle == b.handle; }
+    /// Announces work on a face that comes after `n` others (`RefinementQueue`): fetches its record into the cache, one step later
+    /// what that refers to, and then what its neighbours refer to.
+    friend void prefetch(const Face& f, int n) {
+      if (n > 2) return detail::fetch_record(f.handle);
+      if (n == 2) return detail::fetch_around(f.handle);
+      for (int i = 0; i < 3; ++i) detail::fetch_around(f.handle->neighbor(i));
+    }
   };
   /// The edge of `face` that is opposite to its vertex `index`.
   struct Edge {
     CgalFace face{};
     int index = 0;
     friend bool operator==(const Edge& a, const Edge& b) { return a.face == b.face && a.index == b.index; }
+    friend void prefetch(const Edge& e, int n) { prefetch(Face{e.face}, n); }
   };
   /// Where the search for a point starts: in a face, or on an edge, which the point then splits.
   struct Hint {
@@ -140,7 +150,9 @@ class ConstrainedDelaunay2 {
     const CgalFace n = e.face->neighbor(e.index);
     return {n, n->index(e.face)};
   }
-  bool is_constrained(Edge e) const { return e.face->segment(e.index) >= 0; }
+  bool is_constrained(Edge e) const { return e.face->is_constrained(e.index); }
+  /// Whether any edge of the face is constrained.
+  bool is_constrained(Face f) const { return f.handle->is_constrained(); }
   /// The input segment that a constrained edge lies on.
   std::size_t segment(Edge e) const { return static_cast<std::size_t>(e.face->segment(e.index)); }
   void set_segment(Edge e, std::size_t segment) {
@@ -166,9 +178,8 @@ class ConstrainedDelaunay2 {
   auto finite_faces() const {
     return detail::range_of<Face>(cgal_.finite_faces_begin(), cgal_.finite_faces_end(), [](const auto&) { return true; });
   }
-  auto domain_faces() const {
-    return detail::range_of<Face>(cgal_.finite_faces_begin(), cgal_.finite_faces_end(),
-                                  [](const auto& f) { return f->region() >= 0; });
+  auto domain_faces() const {  // no infinite face is of the domain
+    return detail::range_of<Face>(cgal_.all_faces_begin(), cgal_.all_faces_end(), [](const auto& f) { return f->region() >= 0; });
   }
   auto finite_vertices() const {
     return detail::range_of<Vertex>(cgal_.finite_vertices_begin(), cgal_.finite_vertices_end(), [](const auto&) { return true; });
@@ -186,13 +197,18 @@ class ConstrainedDelaunay2 {
   // -- slots
   QueuePosition slot(Face f, std::size_t k) const { return f.handle->face_slots[k]; }
   QueuePosition slot(Edge e, std::size_t k) const { return e.face->edge_slots[k][static_cast<std::size_t>(e.index)]; }
-  void set_slot(Face f, std::size_t k, QueuePosition position) { f.handle->face_slots[k] = position; }
+  void set_slot(Face f, std::size_t k, QueuePosition position) {
+    any_slot_set_ = true;
+    f.handle->face_slots[k] = position;
+  }
   void set_slot(Edge e, std::size_t k, QueuePosition position) {
+    any_slot_set_ = true;
     const Edge m = mirror(e);
     e.face->edge_slots[k][static_cast<std::size_t>(e.index)] = position;
     m.face->edge_slots[k][static_cast<std::size_t>(m.index)] = position;
   }
   void clear_slots() {
+    if (!std::exchange(any_slot_set_, false)) return;
     for (auto f = cgal_.all_faces_begin(); f != cgal_.all_faces_end(); ++f) f->clear_slots();
   }
 
@@ -227,6 +243,8 @@ class ConstrainedDelaunay2 {
   static Point2 point_of(CgalVertex v) { return {v->point().x(), v->point().y()}; }
   static typename Kernel::Point_2 cgal_point(Point2 p) { return {p.x, p.y}; }
   CGAL::Orientation orientation(CgalVertex a, CgalVertex b, const typename Kernel::Point_2& p) const {
+    const int sign = detail::filtered_orientation(point_of(a), point_of(b), {p.x(), p.y()});
+    if (sign != 0) return sign > 0 ? CGAL::LEFT_TURN : CGAL::RIGHT_TURN;
     return cgal_.geom_traits().orientation_2_object()(a->point(), b->point(), p);
   }
   /// Whether `p` kills the face `f`, were it visible.
@@ -234,6 +252,9 @@ class ConstrainedDelaunay2 {
     for (int i = 0; i < 3 && f->region() < 0; ++i)
       if (cgal_.is_infinite(f->vertex(i)))
         return orientation(f->vertex(Cgal::ccw(i)), f->vertex(Cgal::cw(i)), p) == CGAL::LEFT_TURN;
+    const int sign =
+        detail::filtered_side_of_circle(point_of(f->vertex(0)), point_of(f->vertex(1)), point_of(f->vertex(2)), {p.x(), p.y()});
+    if (sign != 0) return sign > 0;
     return cgal_.geom_traits().side_of_oriented_circle_2_object()(f->vertex(0)->point(), f->vertex(1)->point(),
                                                                   f->vertex(2)->point(), p) == CGAL::ON_POSITIVE_SIDE;
   }
@@ -248,6 +269,7 @@ class ConstrainedDelaunay2 {
     zone.dying_.push_back({f});
   }
   void grow(const typename Kernel::Point_2& p, Edge through, Zone& zone);
+  void grow_from_face(const typename Kernel::Point_2& p, CgalFace f, Zone& zone);
   void grow_from_split(const typename Kernel::Point_2& p, Edge e, Zone& zone);
   bool is_star_shaped(const typename Kernel::Point_2& p, const Zone& zone) const;
   bool add_stars(std::span<const Vertex> vanishing, Zone& zone);
@@ -257,6 +279,7 @@ class ConstrainedDelaunay2 {
 
   Cgal cgal_;
   std::uint32_t next_index_ = 0;
+  bool any_slot_set_ = false;  // since the last time they were cleared
 };
 
 }  // namespace delref

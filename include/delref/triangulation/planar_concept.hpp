@@ -40,6 +40,7 @@ concept PlanarTriangulation =
       tr.set_slot(f, std::size_t{}, q);
       tr.set_slot(e, std::size_t{}, q);
       { ctr.domain_faces() } -> std::ranges::forward_range;
+      { ctr.finite_vertices() } -> std::ranges::forward_range;
       { ctr.subsegments() } -> std::ranges::forward_range;
       { zone.dying_faces() } -> std::ranges::forward_range;
       { zone.new_faces() } -> std::ranges::forward_range;

@@ -213,6 +213,19 @@ TEST_CASE("What is added may lie outside what was there") {
   CHECK(broken_promises(refinement, fine()) == "");
 }
 
+TEST_CASE("A segment that is added outside the domain has no effect, and a note says so") {
+  PlanarRefinement refinement(square());
+  CHECK(refinement.notes().empty());
+  Pslg extra;
+  extra.points = {{5, 5}, {6, 5.5}};
+  extra.segments = {{0, 1}};
+  refinement.add(extra);
+  REQUIRE(refinement.notes().size() == 1);
+  CHECK_THAT(refinement.notes().front(), ContainsSubstring("1 segment has no effect, outside the domain or in a hole: segment 4 (vertices 4 and 5, (5, 5) to (6, 5.5))"));
+  CHECK(refinement.refine().complete());
+  CHECK(refinement.mesh().edges.size() >= 4);
+}
+
 TEST_CASE("Corners are found anew: a segment that is added at a small angle makes one") {
   PlanarRefinement refinement(square(), fine());
   refinement.refine();

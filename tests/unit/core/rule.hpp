@@ -53,6 +53,7 @@ struct Rule {
   void pop_next_element(Tr& tr) { set.pop(tr); }
   template <class F>
   void for_each_queued(F&& f) const { set.for_each(f); }
+  std::size_t queued() const { return set.size(); }
 
   Place refinement_point(const Tr& tr, const Piece& e) const {
     return {target ? target(tr, e) : 0.5 * tr.point(e.left).x + 0.5 * tr.point(e.right).x};

@@ -4,8 +4,10 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <stop_token>
 #include <string>
@@ -227,6 +229,63 @@ TEST_CASE("observers are called after the levels") {
   } last{order};
   Mesher(road, std::move(rule)).refine(Control{}, last);
   CHECK(order == "level observer level observer ");
+}
+
+/// Writes down what it is told of how far a run is.
+struct Watcher {
+  std::vector<std::size_t> vertices, waiting;
+  void on_progress(const Road& road, std::span<const std::size_t> queued) {
+    CHECK(queued.size() == 2);
+    vertices.push_back(road.number_of_vertices());
+    waiting.push_back(queued[1]);
+  }
+};
+
+TEST_CASE("observers are told every few hundred steps how many elements wait") {
+  Road road(0, 1);
+  Mesher mesher(road, RoadRule{}, shorter_than(1e-3));
+  Watcher watcher;
+  mesher.refine(Control{}, watcher);
+  CHECK(watcher.vertices == std::vector<std::size_t>{2, 258, 514, 770});
+  CHECK(watcher.waiting.front() == 1);
+  CHECK(watcher.waiting.back() > 0);
+}
+
+TEST_CASE("a mesher tells how many elements wait in each of its levels") {
+  Road road(0, 1);
+  Mesher mesher(road, first_at(0.375), shorter_than(0.3));
+  mesher.scan();
+  CHECK(mesher.queued() == std::array<std::size_t, 2>{0, 1});
+  mesher.step();
+  CHECK(mesher.queued() == std::array<std::size_t, 2>{1, 1});
+  mesher.refine();
+  CHECK(mesher.queued() == std::array<std::size_t, 2>{0, 0});
+}
+
+TEST_CASE("refinement stops earlier by the time that is kept back for each vertex") {
+  Road road(0, 1);
+  Mesher mesher(road, shorter_than(1e-4));
+  const auto hour = std::chrono::hours(1);
+  const auto outcome = mesher.refine(Control{Budget{.time_limit = hour, .kept_back_per_vertex = std::chrono::duration<double>(hour) / 1000}});
+  CHECK(outcome.stopped == Stop::time);
+  CHECK(road.number_of_vertices() >= 1000 - 1);
+  CHECK(road.number_of_vertices() < 1000 + 256);
+}
+
+/// A level whose elements have more vertices than the frame can name, when `many`.
+struct Star : RoadRule {
+  bool many = true;
+  std::vector<Knot> element_vertices(const Road&, const Piece& e) const {
+    return std::vector<Knot>(many ? 5 : 2, e.left);
+  }
+};
+
+TEST_CASE("an element of too many vertices is refused when it is met") {
+  Road road(0, 1);
+  Mesher mesher(road, Star{shorter_than(0.6)});
+  CHECK_THROWS_AS(mesher.refine(), std::length_error);
+  mesher.level<0>().many = false;
+  CHECK(mesher.refine().complete());
 }
 
 struct Mishap : std::runtime_error {

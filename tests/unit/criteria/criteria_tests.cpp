@@ -62,13 +62,13 @@ TEST_CASE("An angle bound that no mesh can meet is refused in words") {
 
 TEST_CASE("A size that is not positive is refused with its point") {
   const auto field = [](Point2 p) { return p.x; };
-  CHECK(checked_size(field, {2, 5}) == 2);
-  CHECK(checked_size(field, {infinity, 5}) == infinity);
-  CHECK_THROWS_MATCHES(checked_size(field, {0, 5}), InvalidInput,
+  CHECK(checked_size(field, Point2{2, 5}) == 2);
+  CHECK(checked_size(field, Point2{infinity, 5}) == infinity);
+  CHECK_THROWS_MATCHES(checked_size(field, Point2{0, 5}), InvalidInput,
                        MessageMatches(ContainsSubstring("gives 0 at the point (0, 5)")));
-  CHECK_THROWS_MATCHES(checked_size(field, {-0.5, 5}), InvalidInput,
+  CHECK_THROWS_MATCHES(checked_size(field, Point2{-0.5, 5}), InvalidInput,
                        MessageMatches(ContainsSubstring("gives -0.5 at the point")));
-  CHECK_THROWS_MATCHES(checked_size(field, {not_a_number, 5}), InvalidInput,
+  CHECK_THROWS_MATCHES(checked_size(field, Point2{not_a_number, 5}), InvalidInput,
                        MessageMatches(ContainsSubstring("gives not a number at the point (nan, 5)")));
 }
 
@@ -121,4 +121,16 @@ TEST_CASE("Bad sizes at points are refused with the point") {
   const std::vector<Point2> far{{1e200, 0}};
   CHECK_THROWS_MATCHES(PointSizing2(far, std::vector{1.0}, 0.2), InvalidInput,
                        MessageMatches(ContainsSubstring("size point 0 at (1e+200, 0)")));
+}
+
+TEST_CASE("Sizes at points of space are what the formula gives") {
+  const std::vector<Point3> points{{0, 0, 0}, {10, 0, 0}, {0, 0, 6}};
+  const std::vector<double> sizes{1, 5, 0.5};
+  const delref::PointSizing3 field(points, sizes, 0.5);
+  static_assert(delref::SizingField3<delref::PointSizing3>);
+  CHECK(field({0, 0, 0}) == 1);
+  CHECK(field({0, 0, 5}) == 1);
+  CHECK(field({0, 3, 4}) == std::min(3.5, 0.5 + 0.5 * std::sqrt(13.0)));
+  CHECK_THROWS_MATCHES(delref::PointSizing3(points, std::vector{1.0, -1.0, 1.0}, 0.5), InvalidInput,
+                       MessageMatches(ContainsSubstring("size point 1 at (10, 0, 0)")));
 }

@@ -50,6 +50,25 @@ TEST_CASE("the smallest angle is right for every order of the corners and every 
   }
 }
 
+TEST_CASE("a picture of a mesh that is unmet as a rule keeps its colours and outlines what is unmet") {
+  const Scratch folder;
+  delref::PlanarMesh mesh;
+  std::vector<delref::Unmet<delref::Point2>> unmet;
+  for (std::uint32_t i = 0; i < 60; ++i) {
+    const double x = 3.0 * i;
+    mesh.points.insert(mesh.points.end(), {{x, 0}, {x + 3, 0}, {x, 3}});
+    mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    unmet.emplace_back().place = {x + 1, 1};
+  }
+  delref::SvgOptions options;
+  options.unmet = unmet;
+  delref::write_svg(folder / "m.svg", mesh, options);
+  const std::string text = delref::read_file(folder / "m.svg");
+  CHECK_THAT(text, ContainsSubstring("fill=\"none\" stroke=\"#d6006c\" d=\"m"));
+  CHECK_THAT(text, !ContainsSubstring("fill=\"#d6006c\""));
+  CHECK_THAT(text, ContainsSubstring("60 unmet"));
+}
+
 TEST_CASE("a picture has every triangle and marks what is unmet") {
   const Scratch folder;
   delref::PlanarMesh mesh;

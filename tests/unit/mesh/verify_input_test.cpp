@@ -167,5 +167,5 @@ TEST_CASE("the nearest of some points is found") {
     for (const Point2 p : points) best = std::min(best, squared_distance(p, place));
     CHECK(nearest.squared_distance_from(place) == best);
   }
-  CHECK(std::isinf(verification::NearestPoint({}).squared_distance_from({0, 0})));
+  CHECK(std::isinf(verification::NearestPoint<Point2>({}).squared_distance_from({0, 0})));
 }

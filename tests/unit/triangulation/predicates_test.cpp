@@ -12,6 +12,7 @@
 
 #include <delref/domain/exact_side.hpp>
 #include <delref/triangulation/constrained_delaunay_2.hpp>
+#include <delref/triangulation/detail/planar_filters.hpp>
 
 using namespace delref;
 
@@ -103,4 +104,36 @@ TEST_CASE("Whether a point is in the diametral circle of an edge is exact within
   CHECK(wrong == 0);
   CHECK(inside > 1000);
   CHECK(inside < examined - 1000);
+}
+
+TEST_CASE("What floating-point filters say of sides and circles is true in any unit of length") {
+  std::size_t wrong = 0, open = 0, told = 0;
+  const auto compare = [&](int answer, int truth) {
+    wrong += answer != 0 && answer != truth;
+    ++(answer == 0 ? open : told);
+  };
+  const Point2 a{0.3, 0.1}, b{0.9, 0.1}, c{0.9, 0.7}, on_circle{0.3, 0.7}, on_line{0.5, 0.1};
+  for (const int exponent : {0, 1, -37, 60, -60, 130, -130, 250, -250, 300, -300, 511, -511, -530, 1000, -1000}) {
+    const auto at = [&](Point2 p) { return Point2{std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)}; };
+    const auto compare_at = [&](Point2 d) {
+      compare(detail::filtered_side_of_circle(at(a), at(b), at(c), d), rational_in_circle(at(a), at(b), at(c), d));
+      compare(detail::filtered_orientation(at(a), at(b), d), rational_side(at(a), at(b), d));
+    };
+    around(at(on_circle), 8, compare_at);
+    around(at(on_line), 8, compare_at);
+    for (int k = 0; k < 52; ++k) {
+      const double away = std::ldexp(1.0, -k);
+      for (const double d : {away, -away}) {
+        compare_at(at({on_circle.x + d, on_circle.y}));
+        compare_at(at({on_line.x, on_line.y + d}));
+      }
+    }
+  }
+  CHECK(wrong == 0);
+  CHECK(open > 1000);
+  CHECK(told > 1000);
+  CHECK(detail::filtered_side_of_circle(a, b, c, {0.6, 0.4}) == 1);
+  CHECK(detail::filtered_side_of_circle(a, b, c, {1.6, 0.4}) == -1);
+  CHECK(detail::filtered_orientation(a, b, {0.6, 0.4}) == 1);
+  CHECK(detail::filtered_orientation(a, b, {0.6, -0.4}) == -1);
 }

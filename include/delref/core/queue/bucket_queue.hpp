@@ -31,7 +31,9 @@ class BucketQueue {
       unmark(b);
       b = first_marked();
     }
-    return pool_.first(lists_[b]);
+    const QueuePosition first = pool_.first(lists_[b]);
+    pool_.prefetch_after(first, lists_[b]);
+    return first;
   }
   T& at(QueuePosition position) { return pool_.value(position); }
   void erase(QueuePosition position) {

@@ -30,6 +30,14 @@ class EntryPool {
   T& value(QueuePosition position) { return entry(position).value; }
   const T& value(QueuePosition position) const { return entry(position).value; }
 
+  /// Says `prefetch(value, n)` to the value of the n-th entry after `first`, for n = 1, 2, 3, if values understand it.
+  void prefetch_after(QueuePosition first, QueuePosition list) const {
+    if constexpr (requires(const T& v) { prefetch(v, 1); }) {
+      QueuePosition p = next(first);
+      for (int ahead = 1; ahead <= 3 && p != list; ++ahead, p = next(p)) prefetch(value(p), ahead);
+    }
+  }
+
   /// Puts a new entry before `after`, which is an entry or a list; before a list is at its end.
   QueuePosition insert_before(QueuePosition after, const T& value) {
     const QueuePosition position = allocate();

@@ -3,36 +3,12 @@
 // First in, first out: every element waits its turn. Does not look at priorities.
 #pragma once
 
-#include <delref/core/queue/entry_pool.hpp>
+#include <delref/core/queue/list_queue.hpp>
 
 namespace delref {
 
 /// A first in, first out refinement queue.
 template <class T>
-class FifoQueue {
- public:
-  QueuePosition push(const T& value, double /*priority*/) {
-    ++size_;
-    return pool_.insert_before(list_, value);
-  }
-  QueuePosition front() const { return pool_.first(list_); }
-  T& at(QueuePosition position) { return pool_.value(position); }
-  void erase(QueuePosition position) {
-    --size_;
-    pool_.erase(position);
-  }
-  bool empty() const { return size_ == 0; }
-  std::size_t size() const { return size_; }
-  void clear() { *this = FifoQueue(); }
-  template <class F>
-  void for_each(F&& f) const {
-    for (QueuePosition p = pool_.first(list_); p != list_; p = pool_.next(p)) f(pool_.value(p));
-  }
-
- private:
-  EntryPool<T> pool_;
-  QueuePosition list_ = pool_.make_list();
-  std::size_t size_ = 0;
-};
+using FifoQueue = ListQueue<T, ListOrder::first_in_first_out>;
 
 }  // namespace delref

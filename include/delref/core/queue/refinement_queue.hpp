@@ -20,6 +20,9 @@ using QueuePosition = std::int32_t;
 /// 3. `erase(position)` takes an entry out, in constant time.
 /// 4. `empty()`, `size()`, `clear()`, and `for_each(f)`, which calls `f(value)` for each entry.
 /// Law: the order depends on the calls alone.
+///
+/// The queues here announce what comes next: for a `T` with a hidden friend `prefetch(value, n)`, `front()` calls that for the n-th
+/// value after the front, n = 1, 2, 3. Elements that follow each other lie far apart in memory, and this hides half of the wait.
 template <class Q, class T>
 concept RefinementQueue = std::default_initializable<Q> && std::movable<Q> &&
     requires(Q& q, const Q& cq, const T& value, double priority, QueuePosition position, void (*f)(const T&)) {

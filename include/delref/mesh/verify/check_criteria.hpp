@@ -21,7 +21,7 @@ namespace delref::verification {
 inline constexpr double angle_slack_degrees = 1e-6;
 inline constexpr double size_slack = 1 + 1e-9;
 
-inline void check_angles(const Subject& s, const PlanarCriteria& criteria, const SmallAngles& small_angles, Shortfalls& shortfalls,
+inline void check_angles(const Subject& s, const PlanarCriteria& criteria, const SmallAngles& small_angles, Shortfalls<Point2>& shortfalls,
                          VerifyReport& report, Finding& finding) {
   finding.examined = s.mesh.triangles.size();
   for (std::size_t t = 0; t < s.mesh.triangles.size(); ++t) {
@@ -54,7 +54,7 @@ inline double area_bound(const Subject& s, const PlanarCriteria& criteria, const
 }
 
 inline void check_areas(const Subject& s, const PlanarCriteria& criteria, const InputDomain& domain,
-                        const TriangleComponents& components, Shortfalls& shortfalls, Finding& finding) {
+                        const TriangleComponents& components, Shortfalls<Point2>& shortfalls, Finding& finding) {
   finding.examined = s.mesh.triangles.size();
   for (std::size_t t = 0; t < s.mesh.triangles.size(); ++t) {
     s.breathe(t);
@@ -67,7 +67,7 @@ inline void check_areas(const Subject& s, const PlanarCriteria& criteria, const 
   }
 }
 
-inline void check_edge_lengths(const Subject& s, const PlanarCriteria& criteria, Shortfalls& shortfalls, Finding& finding) {
+inline void check_edge_lengths(const Subject& s, const PlanarCriteria& criteria, Shortfalls<Point2>& shortfalls, Finding& finding) {
   finding.examined = s.mesh.triangles.size();
   const double bound = s.scaling.length(criteria.max_edge) * size_slack;
   for (std::size_t t = 0; t < s.mesh.triangles.size(); ++t) {
@@ -79,7 +79,7 @@ inline void check_edge_lengths(const Subject& s, const PlanarCriteria& criteria,
 }
 
 /// A size that is not positive is met by nothing.
-inline void check_sizes(const Subject& s, const PlanarCriteria& criteria, Shortfalls& shortfalls, Finding& finding) {
+inline void check_sizes(const Subject& s, const PlanarCriteria& criteria, Shortfalls<Point2>& shortfalls, Finding& finding) {
   finding.examined = s.mesh.triangles.size();
   for (std::size_t t = 0; t < s.mesh.triangles.size(); ++t) {
     s.breathe(t);

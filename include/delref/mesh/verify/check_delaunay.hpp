@@ -37,7 +37,7 @@ inline void check_constrained_delaunay(const Subject& s, const MeshTopology& top
 
 /// Subsegments are locally Delaunay too, but where only rounding at a tiny input angle is in the way.
 inline void check_conforming_delaunay(const Subject& s, const MeshTopology& topology, const Chains& chains,
-                                      const SmallAngles& small_angles, Shortfalls& shortfalls, Finding& finding) {
+                                      const SmallAngles& small_angles, Shortfalls<Point2>& shortfalls, Finding& finding) {
   for (Index i = 0; i < topology.edges().size(); ++i) {
     const MeshTopology::Edge& e = topology.edges()[i];
     if (chains.piece_of_edge(i) == none) continue;
@@ -55,7 +55,7 @@ inline void check_conforming_delaunay(const Subject& s, const MeshTopology& topo
 /// No corner lies strictly inside the diametral circle of the subsegment that it faces, that is, sees it under an obtuse angle.
 /// The slack is 1e-12 in the cosine, and tiny input angles are excused. (In a constrained Delaunay triangulation no other visible vertex need be looked at.)
 inline void check_encroachment(const Subject& s, const MeshTopology& topology, const Chains& chains,
-                               const SmallAngles& small_angles, Shortfalls& shortfalls, Finding& finding) {
+                               const SmallAngles& small_angles, Shortfalls<Point2>& shortfalls, Finding& finding) {
   const auto inside = [&](const MeshTopology::Edge& e, Index half_edge) {
     if (half_edge == none) return false;
     const Point2 p = s.points[topology.apex(half_edge)], a = s.points[e.a], b = s.points[e.b];

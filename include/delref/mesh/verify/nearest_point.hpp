@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The distance from a place to the nearest of some points, by a balanced tree split in x and y by turns (Bentley 1975).
+// The distance from a place to the nearest of some points, by a balanced tree split along each axis by turns (Bentley 1975).
 #pragma once
 
 #include <algorithm>
@@ -14,40 +14,48 @@
 
 namespace delref::verification {
 
+/// `Point` is `Point2` or `Point3`.
+template <class Point>
 class NearestPoint {
  public:
-  explicit NearestPoint(std::vector<Point2> points) : points_(std::move(points)) { build(points_, false); }
+  explicit NearestPoint(std::vector<Point> points) : points_(std::move(points)) { build(points_, 0); }
 
   /// Infinity when there are no points. Expected time logarithmic in their number.
-  double squared_distance_from(Point2 place) const {
+  double squared_distance_from(Point place) const {
     double best = std::numeric_limits<double>::infinity();
-    search(points_, false, place, best);
+    search(points_, 0, place, best);
     return best;
   }
 
  private:
-  static double along(Point2 p, bool vertical) { return vertical ? p.y : p.x; }
+  static constexpr int dimension = sizeof(Point) / sizeof(double);
+  static int next(int axis) { return (axis + 1) % dimension; }
+  static double along(Point p, int axis) {
+    if constexpr (dimension == 3)
+      if (axis == 2) return p.z;
+    return axis == 0 ? p.x : p.y;
+  }
 
-  static void build(std::span<Point2> part, bool vertical) {
+  static void build(std::span<Point> part, int axis) {
     if (part.size() < 2) return;
     const std::size_t middle = part.size() / 2;
     std::nth_element(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(middle), part.end(),
-                     [&](Point2 a, Point2 b) { return along(a, vertical) < along(b, vertical); });
-    build(part.first(middle), !vertical);
-    build(part.subspan(middle + 1), !vertical);
+                     [&](Point a, Point b) { return along(a, axis) < along(b, axis); });
+    build(part.first(middle), next(axis));
+    build(part.subspan(middle + 1), next(axis));
   }
 
-  static void search(std::span<const Point2> part, bool vertical, Point2 place, double& best) {
+  static void search(std::span<const Point> part, int axis, Point place, double& best) {
     if (part.empty()) return;
     const std::size_t middle = part.size() / 2;
     best = std::min(best, squared_distance(part[middle], place));
-    const double offset = along(place, vertical) - along(part[middle], vertical);
+    const double offset = along(place, axis) - along(part[middle], axis);
     const auto low = part.first(middle), high = part.subspan(middle + 1);
-    search(offset < 0 ? low : high, !vertical, place, best);
-    if (offset * offset < best) search(offset < 0 ? high : low, !vertical, place, best);
+    search(offset < 0 ? low : high, next(axis), place, best);
+    if (offset * offset < best) search(offset < 0 ? high : low, next(axis), place, best);
   }
 
-  std::vector<Point2> points_;
+  std::vector<Point> points_;
 };
 
 }  // namespace delref::verification

@@ -43,12 +43,12 @@ struct Finding {
   }
 };
 
-/// The result of `verify_planar`.
+/// The result of `verify_planar` and `verify_polyhedral`.
 struct VerifyReport {
   /// In the order in which they were made.
   std::vector<Finding> findings;
 
-  /// Triangles below the angle bound that a small input angle forces, ...
+  /// Elements over the bound on their shape that a small input angle forces, ...
   std::size_t excused_angles = 0;
   /// ... elements that miss a criterion and are in the given list of unmet ones, ...
   std::size_t listed_unmet = 0;
@@ -56,6 +56,8 @@ struct VerifyReport {
   std::size_t unfinished = 0;
   /// In degrees; the second is over the triangles that are neither excused, listed nor unfinished. 180 when there are none.
   double smallest_angle = 180, smallest_angle_in_force = 180;
+  /// The same for the circumradius over the shortest edge of the tetrahedra. 0 when there are none.
+  double worst_radius_edge = 0, worst_radius_edge_in_force = 0;
 
   /// No check failed. Excused, listed and unfinished elements are no failures.
   bool ok() const { return std::ranges::none_of(findings, failed, &Finding::status); }
@@ -85,6 +87,10 @@ inline std::string verify_table(const VerifyReport& report) {
   if (report.smallest_angle_in_force < 180 && report.smallest_angle_in_force != report.smallest_angle)
     text += fmt::format("; {:.6g} where the bound is in force", report.smallest_angle_in_force);
   if (report.smallest_angle < 180) text += '\n';
+  if (report.worst_radius_edge > 0) text += fmt::format("worst radius-edge ratio {:.6g}", report.worst_radius_edge);
+  if (report.worst_radius_edge_in_force > 0 && report.worst_radius_edge_in_force != report.worst_radius_edge)
+    text += fmt::format("; {:.6g} where the bound is in force", report.worst_radius_edge_in_force);
+  if (report.worst_radius_edge > 0) text += '\n';
   text += fmt::format("excused by small input angles {}, unmet and listed {}, unfinished {}\n", report.excused_angles,
                       report.listed_unmet, report.unfinished);
   return text + (report.ok() ? "The mesh is what was promised.\n" : "The mesh is NOT what was promised.\n");

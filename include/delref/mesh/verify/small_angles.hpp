@@ -57,7 +57,7 @@ class SmallAngles {
  private:
   Index other_end(const Piece& piece, Index vertex) const { return piece.from == vertex ? piece.to : piece.from; }
 
-  NearestPoint find_corners() const {
+  NearestPoint<Point2> find_corners() const {
     std::vector<Point2> corners;
     struct Spoke {
       double direction;
@@ -153,7 +153,7 @@ class SmallAngles {
   const Subject& subject_;
   const InputDomain& domain_;
   const Chains& chains_;
-  NearestPoint corners_;
+  NearestPoint<Point2> corners_;
 };
 
 }  // namespace delref::verification

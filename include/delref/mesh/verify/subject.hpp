@@ -22,6 +22,7 @@
 #include <delref/mesh/triangle_measures.hpp>
 #include <delref/mesh/verify/criteria.hpp>
 #include <delref/mesh/verify/topology.hpp>
+#include <delref/mesh/verify/ulp.hpp>
 
 namespace delref::verification {
 
@@ -73,10 +74,5 @@ struct Subject {
                        input.points[b].y);
   }
 };
-
-/// The distance from 2^k to the next double, for the binade of a coordinate.
-inline double ulp(double coordinate) {
-  return coordinate == 0 ? 0 : std::ldexp(std::numeric_limits<double>::epsilon(), std::ilogb(coordinate));
-}
 
 }  // namespace delref::verification

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 
 #include <delref/triangulation/constrained_delaunay_2.hpp>
 
@@ -39,8 +40,8 @@ auto ConstrainedDelaunay2<EdgeSlots, FaceSlots>::walk(const typename Kernel::Poi
   return {};
 }
 
-/// Makes sure that `p` is in the closure of `f`, which it is unless the line started outside its face by rounding; then goes on
-/// from neighbour to neighbour. A point on a constraint is blocked by it.
+/// Goes from neighbour to neighbour, each time through an edge that has `p` beyond it, until `p` is in the closure of `f`. A point on
+/// a constraint is blocked by it.
 template <int EdgeSlots, int FaceSlots>
 auto ConstrainedDelaunay2<EdgeSlots, FaceSlots>::approach(const typename Kernel::Point_2& p, CgalFace& f) const -> Where {
   for (int steps = 0; steps < 10'000; ++steps) {
@@ -67,7 +68,9 @@ void ConstrainedDelaunay2<EdgeSlots, FaceSlots>::grow(const typename Kernel::Poi
   while (true) {
     const CgalFace n = through.face->neighbor(through.index);
     const int entry = n->index(through.face);
-    if (through.face->segment(through.index) < 0 && !n->dying() && in_conflict(n, p)) {
+    detail::fetch_record(n->neighbor(Cgal::ccw(entry)));
+    detail::fetch_record(n->neighbor(Cgal::cw(entry)));
+    if (!through.face->is_constrained(through.index) && !n->dying() && in_conflict(n, p)) {
       take(n, zone);
       zone.stack_.push_back({n, Cgal::cw(entry)});
       through = {n, Cgal::ccw(entry)};
@@ -101,6 +104,14 @@ void ConstrainedDelaunay2<EdgeSlots, FaceSlots>::grow_from_split(const typename 
 }
 
 template <int EdgeSlots, int FaceSlots>
+void ConstrainedDelaunay2<EdgeSlots, FaceSlots>::grow_from_face(const typename Kernel::Point_2& p, CgalFace f, Zone& zone) {
+  take(f, zone);
+  zone.regions_[0] = f->region();
+  for (int i = 0; i < 3; ++i) grow(p, {f, i}, zone);
+  zone.second_side_ = zone.boundary_.size();
+}
+
+template <int EdgeSlots, int FaceSlots>
 bool ConstrainedDelaunay2<EdgeSlots, FaceSlots>::is_star_shaped(const typename Kernel::Point_2& p, const Zone& zone) const {
   return std::ranges::all_of(zone.boundary_, [&](const Edge& e) {
     const CgalVertex a = e.face->vertex(Cgal::ccw(e.index)), b = e.face->vertex(Cgal::cw(e.index));
@@ -113,13 +124,16 @@ auto ConstrainedDelaunay2<EdgeSlots, FaceSlots>::conflict_zone(Point2 point, con
   if (hint.edge >= 0) return conflict_zone(point, Edge{hint.face, hint.edge}, {}, zone);
   release(zone);
   const typename Kernel::Point_2 p = cgal_point(point);
-  CgalFace f;
+  CgalFace f = hint.face;
+  // The short way: where it ends in a zone of which the start is a part, the start sees the point.
+  if (approach(p, f).kind == Where::Kind::zone && in_conflict(f, p)) {
+    grow_from_face(p, f, zone);
+    if (hint.face->dying()) return {};
+    release(zone);
+  }
   if (const Where where = walk(p, hint.face, f); where.kind != Where::Kind::zone) return where;
   if (!in_conflict(f, p)) return {Where::Kind::degenerate, {}};
-  take(f, zone);
-  zone.regions_[0] = f->region();
-  for (int i = 0; i < 3; ++i) grow(p, {f, i}, zone);
-  zone.second_side_ = zone.boundary_.size();
+  grow_from_face(p, f, zone);
   return {};
 }
 
@@ -226,20 +240,20 @@ void ConstrainedDelaunay2<EdgeSlots, FaceSlots>::link_star(CgalVertex v, Zone& z
   for (std::size_t k = 0; k < n; ++k) {
     const CgalFace f = reused < zone.dying_.size() ? zone.dying_[reused++].handle : tds.create_face();
     const Edge& outer = zone.boundary_[k];
-    f->forget();
+    f->renew(zone.regions_[k < zone.second_side_ ? 0 : 1], outer.face->segment(outer.index));
     f->set_vertices(v, outer.face->vertex(Cgal::cw(outer.index)), outer.face->vertex(Cgal::ccw(outer.index)));
-    f->set_region(zone.regions_[k < zone.second_side_ ? 0 : 1]);
-    f->set_segment(0, outer.face->segment(outer.index));
     for (std::size_t s = 0; s < std::size_t{EdgeSlots}; ++s)
       f->edge_slots[s][0] = outer.face->edge_slots[s][static_cast<std::size_t>(outer.index)];
     f->vertex(1)->set_face(f);
     zone.new_.push_back({f});
   }
+  CgalFace last = zone.new_.back().handle, f = zone.new_[old].handle;
   for (std::size_t k = 0; k < n; ++k) {  // in their order around the zone: the next one starts where this one ends
-    const CgalFace f = zone.new_[old + k].handle;
+    const CgalFace next = zone.new_[k + 1 < n ? old + k + 1 : old].handle;
     const Edge& outer = zone.boundary_[k];
-    f->set_neighbors(outer.face, zone.new_[old + (k + 1) % n].handle, zone.new_[old + (k + n - 1) % n].handle);
+    f->set_neighbors(outer.face, next, last);
     outer.face->set_neighbor(outer.index, f);
+    last = std::exchange(f, next);
   }
   v->set_face(zone.new_[old].handle);
   for (; reused < zone.dying_.size(); ++reused) tds.delete_face(zone.dying_[reused].handle);

@@ -50,26 +50,31 @@ class PlanarFaceRecord : public Base {
     forget();
   }
 
-  bool is_constrained(int i) const { return segment(i) >= 0; }
+  bool is_constrained(int i) const { return (state_ & (2 << i)) != 0; }
+  /// Whether any edge is.
+  bool is_constrained() const { return (state_ & 14) != 0; }
   void set_constraint(int i, bool constrained) {
     if (constrained != is_constrained(i)) set_segment(i, constrained ? unnamed : -1);
   }
   void set_constraints(bool a, bool b, bool c) { set_constraint(0, a), set_constraint(1, b), set_constraint(2, c); }
   void reorient() {
     Base::reorient();
-    std::swap(segments_[0], segments_[1]);
+    set_segments({segments_[1], segments_[0], segments_[2]});
   }
   void ccw_permute() {
     Base::ccw_permute();
-    segments_ = {segments_[2], segments_[0], segments_[1]};
+    set_segments({segments_[2], segments_[0], segments_[1]});
   }
   void cw_permute() {
     Base::cw_permute();
-    segments_ = {segments_[1], segments_[2], segments_[0]};
+    set_segments({segments_[1], segments_[2], segments_[0]});
   }
 
   std::int32_t segment(int i) const { return segments_[static_cast<std::size_t>(i)]; }
-  void set_segment(int i, std::int32_t s) { segments_[static_cast<std::size_t>(i)] = s; }
+  void set_segment(int i, std::int32_t s) {
+    segments_[static_cast<std::size_t>(i)] = s;
+    state_ = s >= 0 ? state_ | (2 << i) : state_ & ~(2 << i);
+  }
   void clear_slots() {
     for (auto& s : edge_slots) s.fill(-1);
     face_slots.fill(-1);
@@ -77,24 +82,49 @@ class PlanarFaceRecord : public Base {
   void forget() {
     segments_.fill(-1);
     clear_slots();
-    region_ = -1 * 2;
+    state_ = state_of(-1);
+  }
+  /// The same for a face that has no constraints but perhaps one on edge 0.
+  void renew(int region, std::int32_t segment) {
+    segments_ = {segment, -1, -1};
+    clear_slots();
+    state_ = state_of(region) + (segment >= 0 ? 2 : 0);
   }
 
-  /// Of the domain if >= 0. Shares a word with the mark of the faces in the current conflict zone.
-  int region() const { return region_ >> 1; }
-  void set_region(int region) { region_ = region * 2 + (region_ & 1); }
-  bool dying() const { return (region_ & 1) != 0; }
-  void set_dying(bool dying) { region_ = (region_ & ~1) + (dying ? 1 : 0); }
-
+  /// Of the domain if >= 0. Shares a word with the mark of the faces in the current conflict zone and those of constrained edges.
+  int region() const { return state_ >> 4; }
+  void set_region(int region) { state_ = state_of(region) + (state_ & 15); }
+  bool dying() const { return (state_ & 1) != 0; }
+  void set_dying(bool dying) { state_ = (state_ & ~1) + (dying ? 1 : 0); }
 
  private:
+  void set_segments(const std::array<std::int32_t, 3>& s) {
+    for (int i = 0; i < 3; ++i) set_segment(i, s[static_cast<std::size_t>(i)]);
+  }
+  static constexpr int state_of(int region) { return region * 16; }
   // First what the search for a zone reads, so that it is in one cache line with CGAL's handles.
+  std::int32_t state_ = 0;
   std::array<std::int32_t, 3> segments_;
-  std::int32_t region_ = -1;
 
  public:
   std::array<std::array<QueuePosition, 3>, EdgeSlots> edge_slots;
   std::array<QueuePosition, FaceSlots> face_slots;
 };
+
+/// Has the processor fetch the record of a face into its cache, while it does other work.
+template <class FaceHandle>
+void fetch_record(const FaceHandle& f) {
+  const char* record = static_cast<const char*>(static_cast<const void*>(&*f));
+  __builtin_prefetch(record);
+  __builtin_prefetch(record + 64);  // it may straddle a cache line
+}
+/// The same for what the record refers to: neighbours and points.
+template <class FaceHandle>
+void fetch_around(const FaceHandle& f) {
+  for (int i = 0; i < 3; ++i) {
+    fetch_record(f->neighbor(i));
+    __builtin_prefetch(&f->vertex(i)->point());
+  }
+}
 
 }  // namespace delref::detail
