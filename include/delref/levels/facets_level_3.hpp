@@ -201,7 +201,8 @@ class FacetsLevel3 {
     const auto found = hinges_.counterpart(tr.carrier(v), tr.point(v), complex_[e].facet);
     if (!found) return std::nullopt;
     const Point3 p = *found;
-    const double apart = squared_distance(p, tr.point(v));
+    const double apart = squared_distance(p, tr.point(v)), rounding = 64 * PolyhedralDomain::rounding_near(p);
+    if (apart <= rounding * rounding) return std::nullopt;  // the vertex is on this facet
     if (!(apart < 0.25 * squared_distance(complex_.circumcentre(tr, e), tr.point(complex_[e].corners[0])))) return std::nullopt;
     if (!complex_.in_circumcircle(tr, e, p)) return std::nullopt;
     const auto place = complex_.locate(tr, e, p);
