@@ -16,6 +16,10 @@ if(DELREF_WARNINGS)
     # GCC bug 105651: g++ 12 sees overlapping copies in every concatenation of strings that it inlines.
     list(APPEND delref_warning_flags -Wno-restrict)
   endif()
+  # Boost 1.74 derives its hashes from std::unary_function, and CGAL's triangulations of space use them: Clang says so at our calls.
+  if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    list(APPEND delref_warning_flags -Wno-deprecated-declarations)
+  endif()
   if(DELREF_WERROR)
     list(APPEND delref_warning_flags ${delref_error_flag})
   endif()
