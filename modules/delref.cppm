@@ -271,6 +271,8 @@ using delref::write_planar_mesh;
 using delref::write_svg;
 using delref::write_tetgen_mesh;
 using delref::write_tetrahedral_mesh;
+using delref::CutSvgOptions;
+using delref::write_cut_svg;
 using delref::write_triangle_mesh;
 using delref::write_vtu;
 
