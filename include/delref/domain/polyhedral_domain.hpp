@@ -38,7 +38,7 @@ struct PolyhedralDomain {
   struct Segment {
     std::array<Index, 2> ends{};
     int marker = 0;
-    /// Per end: another segment or a facet that does not contain this one meets it there under 60 degrees.
+    /// Per end: another segment meets it there under 60 degrees.
     std::array<bool, 2> sharp{};
   };
 
@@ -52,8 +52,7 @@ struct PolyhedralDomain {
     std::vector<Index> segments;
     /// The constrained Delaunay triangulation of the facet by input vertices, counterclockwise in `frame`; holes are left out.
     std::vector<std::array<Index, 3>> triangles;
-    /// No facet or segment meets this one at a common segment or vertex under 90 degrees: refinement may demand empty diametral
-    /// balls of its triangles.
+    /// No facet meets this one at a common segment under 90 degrees: refinement may demand empty diametral balls of its triangles.
     bool gabriel = true;
   };
 

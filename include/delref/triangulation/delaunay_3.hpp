@@ -196,8 +196,6 @@ class Delaunay3 {
     f.cell->mark_face(f.index, on);
     m.cell->mark_face(m.index, on);
   }
-  /// Marks a facet on the side of its cell only; the other side is to be marked too.
-  void mark_one_side(Facet f, bool on) { f.cell->mark_face(f.index, on); }
   /// Whether an edge of the cell lies on an input segment. Every cell around an edge has the mark of its own.
   bool is_edge_marked(Cell c, int i, int j) const { return c.handle->is_edge_marked(i, j); }
   void mark_edge(Cell c, int i, int j, bool on) { c.handle->mark_edge(i, j, on); }
