@@ -32,8 +32,10 @@ set(delref_core_headers
 # Planar meshing.
 set(delref_headers
     delref/algorithms/check_polyhedral_options.hpp
+    delref/algorithms/check_smooth_options.hpp
     delref/algorithms/excuse_small_angles.hpp
     delref/algorithms/extract_planar_mesh.hpp
+    delref/algorithms/extract_smooth_mesh.hpp
     delref/algorithms/extract_tetrahedral_mesh.hpp
     delref/algorithms/planar.hpp
     delref/algorithms/planar_levels.hpp
@@ -43,15 +45,26 @@ set(delref_headers
     delref/algorithms/polyhedral_levels.hpp
     delref/algorithms/polyhedral_options.hpp
     delref/algorithms/polyhedral_refinement.hpp
+    delref/algorithms/smooth.hpp
+    delref/algorithms/smooth_levels.hpp
+    delref/algorithms/smooth_options.hpp
+    delref/algorithms/smooth_refinement.hpp
     delref/criteria/angle_bound.hpp
+    delref/criteria/circumcentre.hpp
     delref/criteria/point_sizing.hpp
+    delref/criteria/simplex_criteria.hpp
     delref/criteria/sizing_field.hpp
+    delref/criteria/surface_facet_criteria.hpp
+    delref/criteria/surface_facet_shape.hpp
     delref/criteria/tetrahedron_criteria.hpp
     delref/criteria/tetrahedron_shape.hpp
     delref/criteria/triangle_criteria.hpp
     delref/criteria/triangle_shape.hpp
+    delref/domain/anchor_points.hpp
     delref/domain/bounding_box.hpp
     delref/domain/bounding_box_3.hpp
+    delref/domain/box_questions.hpp
+    delref/domain/bracketed_root.hpp
     delref/domain/build_planar_domain.hpp
     delref/domain/build_polyhedral_domain.hpp
     delref/domain/chain_line.hpp
@@ -62,6 +75,7 @@ set(delref_headers
     delref/domain/coplanar_growth.hpp
     delref/domain/crossing_sweep.hpp
     delref/domain/describe.hpp
+    delref/domain/disjoint_sets.hpp
     delref/domain/enumerated.hpp
     delref/domain/exact_side.hpp
     delref/domain/exact_side_3.hpp
@@ -73,15 +87,38 @@ set(delref_headers
     delref/domain/facet_frame.hpp
     delref/domain/facet_hinges.hpp
     delref/domain/facet_triangulation.hpp
+    delref/domain/formula.hpp
+    delref/domain/formula_builder.hpp
+    delref/domain/formula_narrowing.hpp
+    delref/domain/formula_operations.hpp
+    delref/domain/grey_level_check.hpp
+    delref/domain/grey_level_image.hpp
+    delref/domain/image.hpp
+    delref/domain/implicit_domain.hpp
+    delref/domain/implicit_function.hpp
+    delref/domain/index_box.hpp
     delref/domain/insert_planar_graph.hpp
+    delref/domain/interval.hpp
+    delref/domain/interval_components.hpp
+    delref/domain/interval_slope.hpp
     delref/domain/invalid_input.hpp
     delref/domain/join_coplanar.hpp
+    delref/domain/label_boundaries.hpp
     delref/domain/label_planar_domain.hpp
     delref/domain/label_polyhedral_domain.hpp
+    delref/domain/label_proof.hpp
+    delref/domain/label_smoothing.hpp
+    delref/domain/labelled_image.hpp
+    delref/domain/leaf_surface.hpp
+    delref/domain/level_set_components.hpp
     delref/domain/loose_vertices.hpp
     delref/domain/merge_points.hpp
     delref/domain/merge_points_3.hpp
+    delref/domain/multi_material_domain.hpp
+    delref/domain/needle_facets.hpp
+    delref/domain/oracle.hpp
     delref/domain/pair_table.hpp
+    delref/domain/piecewise_linear_function.hpp
     delref/domain/planar_domain.hpp
     delref/domain/plc.hpp
     delref/domain/plc_angles.hpp
@@ -95,7 +132,15 @@ set(delref_headers
     delref/domain/plc_options.hpp
     delref/domain/plc_outlines.hpp
     delref/domain/plc_scale.hpp
+    delref/domain/point_neighbours.hpp
+    delref/domain/point_set.hpp
+    delref/domain/point_set_check.hpp
+    delref/domain/point_set_domain.hpp
+    delref/domain/point_set_options.hpp
+    delref/domain/poisson_function.hpp
+    delref/domain/poisson_system.hpp
     delref/domain/polyhedral_domain.hpp
+    delref/domain/prepare_point_set.hpp
     delref/domain/pslg.hpp
     delref/domain/pslg_check.hpp
     delref/domain/pslg_crossings.hpp
@@ -104,34 +149,52 @@ set(delref_headers
     delref/domain/pslg_names.hpp
     delref/domain/pslg_scale.hpp
     delref/domain/pslg_split.hpp
+    delref/domain/region_points.hpp
+    delref/domain/sampled_components.hpp
     delref/domain/segment_contact.hpp
     delref/domain/segment_table.hpp
     delref/domain/segment_wedges.hpp
     delref/domain/sharp_corners.hpp
+    delref/domain/sign_search.hpp
     delref/domain/small_angle_guard.hpp
     delref/domain/snap_rounding.hpp
     delref/domain/split_pieces.hpp
+    delref/domain/spread_points.hpp
+    delref/domain/surface_edges.hpp
+    delref/domain/thin_places.hpp
     delref/domain/triangle_contact.hpp
     delref/domain/triangulated_plc.hpp
+    delref/domain/trilinear.hpp
+    delref/domain/trilinear_cube.hpp
     delref/domain/unite_pslg.hpp
+    delref/domain/voxel_labels.hpp
     delref/domain/walk_along.hpp
+    delref/levels/cell_labels.hpp
+    delref/levels/cell_rules.hpp
     delref/levels/detail/facet_complex_flips.hpp
     delref/levels/edges_level_2.hpp
     delref/levels/edges_level_3.hpp
     delref/levels/encroachment.hpp
     delref/levels/faces_level_2.hpp
     delref/levels/facet_complex.hpp
+    delref/levels/facet_sides.hpp
     delref/levels/facets_level_3.hpp
     delref/levels/point_choice.hpp
     delref/levels/region_repair.hpp
     delref/levels/split_point.hpp
-    delref/levels/split_point_3.hpp
+    delref/levels/subfacet_counterparts.hpp
+    delref/levels/subfacet_encroachment.hpp
+    delref/levels/subfacet_set.hpp
     delref/levels/subsegment_table.hpp
+    delref/levels/surface_complex.hpp
+    delref/levels/surface_level_3.hpp
     delref/levels/tetrahedra_level_3.hpp
+    delref/levels/umbrella.hpp
     delref/mesh/planar_mesh.hpp
     delref/mesh/quality.hpp
     delref/mesh/quality_table.hpp
     delref/mesh/scaling.hpp
+    delref/mesh/surface_quality.hpp
     delref/mesh/tetrahedral_mesh.hpp
     delref/mesh/tetrahedral_quality.hpp
     delref/mesh/tetrahedral_quality_table.hpp
@@ -141,9 +204,11 @@ set(delref_headers
     delref/mesh/verify/chains.hpp
     delref/mesh/verify/check_criteria.hpp
     delref/mesh/verify/check_delaunay.hpp
+    delref/mesh/verify/check_list.hpp
     delref/mesh/verify/check_segments.hpp
     delref/mesh/verify/check_structure.hpp
     delref/mesh/verify/check_tiling.hpp
+    delref/mesh/verify/check_who_inserted.hpp
     delref/mesh/verify/criteria.hpp
     delref/mesh/verify/input_domain.hpp
     delref/mesh/verify/nearest_point.hpp
@@ -172,6 +237,19 @@ set(delref_headers
     delref/mesh/verify_3/topology.hpp
     delref/mesh/verify_planar.hpp
     delref/mesh/verify_polyhedral.hpp
+    delref/mesh/verify_smooth.hpp
+    delref/mesh/verify_smooth/check_facets.hpp
+    delref/mesh/verify_smooth/check_surface.hpp
+    delref/mesh/verify_smooth/check_tetrahedra.hpp
+    delref/mesh/verify_smooth/check_triangles.hpp
+    delref/mesh/verify_smooth/check_vertices.hpp
+    delref/mesh/verify_smooth/check_volumes.hpp
+    delref/mesh/verify_smooth/excuses.hpp
+    delref/mesh/verify_smooth/expectations.hpp
+    delref/mesh/verify_smooth/subject.hpp
+    delref/mesh/verify_smooth/surface_balls.hpp
+    delref/mesh/verify_smooth/surface_graph.hpp
+    delref/mesh/verify_smooth/surface_probe.hpp
     delref/triangulation/constrained_delaunay_2.hpp
     delref/triangulation/delaunay_3.hpp
     delref/triangulation/detail/constrained_delaunay_2_zone.hpp
@@ -179,6 +257,7 @@ set(delref_headers
     delref/triangulation/detail/planar_filters.hpp
     delref/triangulation/detail/planar_records.hpp
     delref/triangulation/detail/range_of.hpp
+    delref/triangulation/detail/spatial_filters.hpp
     delref/triangulation/detail/spatial_records.hpp
     delref/triangulation/planar_concept.hpp
     delref/triangulation/simplex_table.hpp
@@ -188,8 +267,10 @@ set(delref_headers
 set(delref_io_headers
     delref/io/base64.hpp
     delref/io/binary_numbers.hpp
+    delref/io/cgal_stream.hpp
     delref/io/colours.hpp
     delref/io/cut_svg.hpp
+    delref/io/domain_dimension.hpp
     delref/io/element_records.hpp
     delref/io/extension.hpp
     delref/io/file.hpp
@@ -212,14 +293,17 @@ set(delref_io_headers
     delref/io/plc_file.hpp
     delref/io/ply_header.hpp
     delref/io/ply_reader.hpp
+    delref/io/point_set_reader.hpp
     delref/io/polygon_faces.hpp
     delref/io/polygon_rows.hpp
+    delref/io/polygon_soup.hpp
     delref/io/polygons.hpp
     delref/io/polyhedral_formats.hpp
     delref/io/report.hpp
     delref/io/report_json.hpp
     delref/io/smallest_angles.hpp
     delref/io/stl_reader.hpp
+    delref/io/surface_formats.hpp
     delref/io/svg.hpp
     delref/io/svg_path.hpp
     delref/io/tetgen_mesh.hpp
@@ -231,3 +315,20 @@ set(delref_io_headers
     delref/io/triangle_poly.hpp
     delref/io/vtu.hpp
     delref/io/vtu_reader.hpp)
+
+# Images.
+set(delref_images_headers
+    delref/images/gzip.hpp
+    delref/images/image_fields.hpp
+    delref/images/image_formats.hpp
+    delref/images/image_reader.hpp
+    delref/images/inr_reader.hpp
+    delref/images/meta_image_reader.hpp
+    delref/images/nifti_reader.hpp
+    delref/images/nrrd_reader.hpp
+    delref/images/voxel_values.hpp)
+
+# Functions written as text.
+set(delref_expression_headers
+    delref/expression/expression.hpp
+    delref/expression/read_formula.hpp)

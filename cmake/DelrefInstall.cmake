@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 #
-# The package: find_package(delref COMPONENTS core delref io module_core module).
+# The package: find_package(delref COMPONENTS core delref io images expression module_core module).
 
 include(CMakePackageConfigHelpers)
 
@@ -9,6 +9,7 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/delrefConfig.cmake.in 
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/delrefConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(
   FILES ${PROJECT_BINARY_DIR}/delrefConfig.cmake ${PROJECT_BINARY_DIR}/delrefConfigVersion.cmake
+        ${PROJECT_SOURCE_DIR}/cmake/FindLibNifti.cmake
   DESTINATION ${delref_cmake_install_dir}
   COMPONENT core)
 install(

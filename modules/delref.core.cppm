@@ -28,6 +28,7 @@ export namespace delref {
 // core/point.hpp
 using delref::Point2;
 using delref::Point3;
+using delref::rounding_near;
 using delref::Vector2;
 using delref::Vector3;
 

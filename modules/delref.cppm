@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The module delref: meshing in the plane and in space, the file formats, and the module delref.core. This is the list of its public API; the headers
-// say what each name is. Among it is every type that a level or a criterion of your own is handed: a program that also includes
-// CGAL gains nothing by the import.
+// The module delref: meshing in the plane and in space, the file formats, and the module delref.core. This is the list of its public
+// API; the headers say what each name is. Among it is every type that a level or a criterion of your own is handed: a program that also
+// includes CGAL gains nothing by the import. Readers of images (delref/images) and expressions (delref/expression) come by header.
 module;
 
 #include <delref/algorithms/check_polyhedral_options.hpp>
+#include <delref/algorithms/check_smooth_options.hpp>
 #include <delref/algorithms/excuse_small_angles.hpp>
 #include <delref/algorithms/extract_planar_mesh.hpp>
+#include <delref/algorithms/extract_smooth_mesh.hpp>
 #include <delref/algorithms/extract_tetrahedral_mesh.hpp>
 #include <delref/algorithms/planar.hpp>
 #include <delref/algorithms/planar_levels.hpp>
@@ -17,27 +19,57 @@ module;
 #include <delref/algorithms/polyhedral_levels.hpp>
 #include <delref/algorithms/polyhedral_options.hpp>
 #include <delref/algorithms/polyhedral_refinement.hpp>
+#include <delref/algorithms/smooth.hpp>
+#include <delref/algorithms/smooth_levels.hpp>
+#include <delref/algorithms/smooth_options.hpp>
+#include <delref/algorithms/smooth_refinement.hpp>
 #include <delref/criteria/angle_bound.hpp>
+#include <delref/criteria/circumcentre.hpp>
 #include <delref/criteria/point_sizing.hpp>
+#include <delref/criteria/simplex_criteria.hpp>
 #include <delref/criteria/sizing_field.hpp>
+#include <delref/criteria/surface_facet_criteria.hpp>
+#include <delref/criteria/surface_facet_shape.hpp>
 #include <delref/criteria/tetrahedron_criteria.hpp>
 #include <delref/criteria/tetrahedron_shape.hpp>
 #include <delref/criteria/triangle_criteria.hpp>
 #include <delref/criteria/triangle_shape.hpp>
+#include <delref/domain/anchor_points.hpp>
+#include <delref/domain/bounding_box_3.hpp>
+#include <delref/domain/bracketed_root.hpp>
 #include <delref/domain/build_planar_domain.hpp>
 #include <delref/domain/build_polyhedral_domain.hpp>
 #include <delref/domain/check_plc.hpp>
 #include <delref/domain/describe.hpp>
+#include <delref/domain/grey_level_check.hpp>
+#include <delref/domain/grey_level_image.hpp>
+#include <delref/domain/image.hpp>
+#include <delref/domain/implicit_domain.hpp>
+#include <delref/domain/implicit_function.hpp>
+#include <delref/domain/interval.hpp>
+#include <delref/domain/interval_components.hpp>
 #include <delref/domain/invalid_input.hpp>
 #include <delref/domain/label_polyhedral_domain.hpp>
+#include <delref/domain/labelled_image.hpp>
+#include <delref/domain/level_set_components.hpp>
+#include <delref/domain/multi_material_domain.hpp>
+#include <delref/domain/oracle.hpp>
 #include <delref/domain/planar_domain.hpp>
 #include <delref/domain/plc.hpp>
 #include <delref/domain/plc_options.hpp>
+#include <delref/domain/point_set.hpp>
+#include <delref/domain/point_set_domain.hpp>
+#include <delref/domain/point_set_options.hpp>
 #include <delref/domain/polyhedral_domain.hpp>
 #include <delref/domain/pslg.hpp>
 #include <delref/domain/pslg_check.hpp>
 #include <delref/domain/pslg_crossings.hpp>
+#include <delref/domain/sampled_components.hpp>
+#include <delref/domain/sign_search.hpp>
 #include <delref/domain/small_angle_guard.hpp>
+#include <delref/domain/spread_points.hpp>
+#include <delref/io/cut_svg.hpp>
+#include <delref/io/domain_dimension.hpp>
 #include <delref/io/geojson.hpp>
 #include <delref/io/medit.hpp>
 #include <delref/io/medit_reader.hpp>
@@ -50,11 +82,13 @@ module;
 #include <delref/io/planar_formats.hpp>
 #include <delref/io/plc_file.hpp>
 #include <delref/io/ply_reader.hpp>
+#include <delref/io/point_set_reader.hpp>
 #include <delref/io/polygons.hpp>
 #include <delref/io/polyhedral_formats.hpp>
 #include <delref/io/report.hpp>
 #include <delref/io/report_json.hpp>
 #include <delref/io/stl_reader.hpp>
+#include <delref/io/surface_formats.hpp>
 #include <delref/io/svg.hpp>
 #include <delref/io/tetgen_mesh.hpp>
 #include <delref/io/tetgen_poly.hpp>
@@ -63,6 +97,8 @@ module;
 #include <delref/io/triangle_poly.hpp>
 #include <delref/io/vtu.hpp>
 #include <delref/io/vtu_reader.hpp>
+#include <delref/levels/cell_labels.hpp>
+#include <delref/levels/cell_rules.hpp>
 #include <delref/levels/edges_level_2.hpp>
 #include <delref/levels/edges_level_3.hpp>
 #include <delref/levels/encroachment.hpp>
@@ -70,10 +106,14 @@ module;
 #include <delref/levels/facets_level_3.hpp>
 #include <delref/levels/point_choice.hpp>
 #include <delref/levels/region_repair.hpp>
+#include <delref/levels/surface_complex.hpp>
+#include <delref/levels/surface_level_3.hpp>
 #include <delref/levels/tetrahedra_level_3.hpp>
+#include <delref/levels/umbrella.hpp>
 #include <delref/mesh/planar_mesh.hpp>
 #include <delref/mesh/quality.hpp>
 #include <delref/mesh/quality_table.hpp>
+#include <delref/mesh/surface_quality.hpp>
 #include <delref/mesh/tetrahedral_mesh.hpp>
 #include <delref/mesh/tetrahedral_quality.hpp>
 #include <delref/mesh/tetrahedral_quality_table.hpp>
@@ -81,6 +121,8 @@ module;
 #include <delref/mesh/triangle_measures.hpp>
 #include <delref/mesh/verify_planar.hpp>
 #include <delref/mesh/verify_polyhedral.hpp>
+#include <delref/mesh/verify_smooth.hpp>
+#include <delref/mesh/verify_smooth/expectations.hpp>
 #include <delref/triangulation/constrained_delaunay_2.hpp>
 #include <delref/triangulation/delaunay_3.hpp>
 #include <delref/triangulation/planar_concept.hpp>
@@ -93,9 +135,12 @@ export namespace delref {
 
 // algorithms: the functions that most users call, and the same as objects
 using delref::check_polyhedral_options;
+using delref::check_smooth_options;
+using delref::ComponentCounts;
 using delref::Encroachment;
 using delref::mesh_planar;
 using delref::mesh_polyhedron;
+using delref::mesh_smooth_domain;
 using delref::PlanarOptions;
 using delref::PlanarRefinement;
 using delref::PlanarResult;
@@ -103,15 +148,25 @@ using delref::PointChoice;
 using delref::PolyhedralOptions;
 using delref::PolyhedralRefinement;
 using delref::PolyhedralResult;
+using delref::SmoothOptions;
+using delref::SmoothRefinement;
+using delref::SmoothResult;
+using delref::SurfacePatch;
 
 // algorithms: what those are made of
 using delref::conforming_levels;
 using delref::extract_planar_mesh;
+using delref::extract_smooth_mesh;
 using delref::extract_tetrahedral_mesh;
 using delref::insert_input_points;
 using delref::planar_levels;
 using delref::polyhedral_levels;
+using delref::region_labels;
 using delref::SmallAngleExcuses;
+using delref::surface_levels;
+using delref::surface_patches;
+using delref::volume_levels;
+using delref::with_default_sizes;
 
 // domain
 using delref::all_collinear;
@@ -134,6 +189,60 @@ using delref::Pslg;
 using delref::PslgCheckOptions;
 using delref::SmallAngleGuard;
 
+// smooth domains: what an oracle is, and where its components are
+using delref::AnchorFinder;
+using delref::AnchorPoints;
+using delref::bounding_box_3;
+using delref::BoundingBox3;
+using delref::bracketed_root;
+using delref::explain_oracle;
+using delref::FindsComponents;
+using delref::interval_components;
+using delref::Oracle;
+using delref::outside;
+using delref::sample_components;
+using delref::sign_change;
+using delref::spread_points;
+using delref::SurfaceComponents;
+
+// smooth domains: functions
+using delref::AtBounds;
+using delref::BatchFunction;
+using delref::default_samples;
+using delref::explain_implicit_function;
+using delref::function_value;
+using delref::function_values;
+using delref::ImplicitDomain;
+using delref::ImplicitFunction;
+using delref::ImplicitOptions;
+using delref::Interval;
+using delref::MultiMaterialDomain;
+using delref::PointFunction;
+using delref::proved_inside;
+using delref::RangedFunction;
+using delref::RegularFunction;
+using delref::SignVector;
+using delref::ValueRange;
+
+// smooth domains: images and sets of points
+using delref::AnyImage;
+using delref::check_grid;
+using delref::check_image;
+using delref::grid_of;
+using delref::GreyLevelImage;
+using delref::GreyLevelOptions;
+using delref::Image;
+using delref::ImageGrid;
+using delref::LabelledImage;
+using delref::LabelOptions;
+using delref::level_set_components;
+using delref::LevelSetComponent;
+using delref::longest_image_axis;
+using delref::PointSet;
+using delref::PointSetDomain;
+using delref::PointSetOptions;
+using delref::WorldToIndex;
+
 // triangulation; its handles, zones and ranges are members
 using delref::ConstrainedDelaunay2;
 using delref::Delaunay3;
@@ -141,6 +250,7 @@ using delref::PlanarTriangulation;
 using delref::SpatialTriangulation;
 
 // levels and their policies
+using delref::CellLabels;
 using delref::Circumcentre;
 using delref::DiametralCircle;
 using delref::DiametralLens;
@@ -152,37 +262,57 @@ using delref::explain_encroachment;
 using delref::explain_point_choice;
 using delref::FacesLevel2;
 using delref::FacetsLevel3;
+using delref::LabelledCells;
 using delref::OffCentre;
 using delref::PointChoice2;
+using delref::PolyhedralCells;
 using delref::RegionRepair;
+using delref::SurfaceComplex;
+using delref::SurfaceLevel3;
+using delref::SurfaceLevelOptions;
 using delref::TetrahedraLevel3;
+using delref::Umbrella;
 
 // criteria
 using delref::AngleBound;
 using delref::checked_size;
 using delref::checked_size_at;
+using delref::explain_criterion;
 using delref::explain_sizing_field;
 using delref::explain_sizing_field_3;
+using delref::explain_surface_facet_criterion;
 using delref::explain_tetrahedron_criterion;
 using delref::explain_triangle_criterion;
+using delref::FacetDistanceAtCentre;
+using delref::FacetSizeAtCentre;
 using delref::MaximumArea;
 using delref::MaximumCircumradius;
 using delref::MaximumEdge;
+using delref::MaximumFacetDistance;
+using delref::MaximumFacetSize;
 using delref::MaximumRegionArea;
+using delref::MaximumRegionCircumradius;
 using delref::MaximumRegionVolume;
 using delref::MaximumVolume;
 using delref::MinimumAngle;
+using delref::MinimumFacetAngle;
 using delref::PointSizing2;
 using delref::PointSizing3;
 using delref::PointSizing;
 using delref::RadiusEdge;
+using delref::SimplexCriteria;
+using delref::SimplexCriterion;
 using delref::SizeAtCentroid;
 using delref::SizeAtCircumcentre;
 using delref::SizingField2;
 using delref::SizingField3;
+using delref::SurfaceFacetCriteria;
+using delref::SurfaceFacetCriterion;
+using delref::SurfaceFacetShape;
 using delref::TetrahedronCriteria;
 using delref::TetrahedronCriterion;
 using delref::TetrahedronShape;
+using delref::to_circumcentre;
 using delref::TriangleCriteria;
 using delref::TriangleCriterion;
 using delref::TriangleShape;
@@ -198,6 +328,10 @@ using delref::PlanarMesh;
 using delref::PlanarQuality;
 using delref::PolyhedralCriteria;
 using delref::quality_table;
+using delref::SmoothExpectations;
+using delref::surface_quality;
+using delref::SurfacePiece;
+using delref::SurfaceQuality;
 using delref::tetrahedral_quality;
 using delref::TetrahedralMesh;
 using delref::TetrahedralQuality;
@@ -205,6 +339,7 @@ using delref::TetrahedronMeasures;
 using delref::TriangleMeasures;
 using delref::verify_planar;
 using delref::verify_polyhedral;
+using delref::verify_smooth;
 using delref::verify_table;
 using delref::VerifyReport;
 
@@ -216,10 +351,12 @@ using delref::parse_geojson;
 using delref::parse_obj;
 using delref::parse_off;
 using delref::parse_ply;
+using delref::parse_ply_points;
 using delref::parse_stl;
 using delref::parse_tetgen_node;
 using delref::parse_tetgen_poly;
 using delref::parse_triangle_node;
+using delref::parse_xyz;
 using delref::PlcFile;
 using delref::polygons_to_pslg;
 using delref::PslgFile;
@@ -228,6 +365,7 @@ using delref::read_obj;
 using delref::read_off;
 using delref::read_plc;
 using delref::read_ply;
+using delref::read_point_set;
 using delref::read_pslg;
 using delref::read_stl;
 using delref::read_tetgen_node;
@@ -240,6 +378,7 @@ using delref::TetgenFile;
 using delref::AnyMesh;
 using delref::check_planar_output;
 using delref::check_tetrahedral_output;
+using delref::is_surface_format;
 using delref::OutputError;
 using delref::parse_medit;
 using delref::parse_msh;
@@ -269,6 +408,7 @@ using delref::write_msh;
 using delref::write_off;
 using delref::write_planar_mesh;
 using delref::write_svg;
+using delref::write_surface;
 using delref::write_tetgen_mesh;
 using delref::write_tetrahedral_mesh;
 using delref::CutSvgOptions;
@@ -285,9 +425,13 @@ using delref::PolyhedralRunReport;
 using delref::read_report;
 using delref::report_text;
 using delref::ReportedAngle;
+using delref::ReportedBoundary;
 using delref::ReportedCounts;
 using delref::ReportedOptions;
+using delref::ReportedPatch;
 using delref::ReportedPromise;
+using delref::ReportedSmoothOptions;
+using delref::ReportedSurface;
 using delref::RunReport;
 using delref::write_report;
 

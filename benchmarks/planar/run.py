@@ -8,30 +8,17 @@ Peers: CGAL Mesh_2, which the build makes (cgal_driver); Triangle, if --triangle
 import argparse
 import os
 import re
-import resource
 import shutil
 import statistics
-import subprocess
+import sys
 import tempfile
 import time
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+from measuring import figures, medians, run, table
+
 MESH_2_20_DEGREES = 0.125  # B = (sine of the angle)^2: 20.7 degrees
-
-
-def run(command, cwd=None):
-    """Runs a command; its output and its CPU seconds."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    done = subprocess.run([str(c) for c in command], cwd=cwd, capture_output=True, text=True, check=False)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    if done.returncode not in (0, 4):
-        raise SystemExit(f"{command}: exit code {done.returncode}\n{done.stdout}{done.stderr}")
-    return done.stdout, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-
-
-def figures(text):
-    words = text.split()
-    return {key: float(value) for key, value in zip(words[::2], words[1::2]) if value not in ("true", "false")}
 
 
 class Peers:
@@ -48,7 +35,7 @@ class Peers:
     def triangle(self, path, switches):
         with tempfile.TemporaryDirectory() as folder:
             shutil.copy(path, Path(folder) / "in.poly")
-            text, _ = run([self.args.triangle, switches, "in.poly"], cwd=folder)
+            text, _ = run([self.args.triangle, switches, "in.poly"], folder)
         quality = re.search(r"Quality milliseconds:\s+(\d+)", text)
         made = re.search(r"Mesh vertices:\s+(\d+)", text)
         given = re.search(r"Input vertices:\s+(\d+)", text)
@@ -57,21 +44,6 @@ class Peers:
             "vertices_made": int(made[1]) - int(given[1]),
             "triangles": int(re.search(r"Mesh triangles:\s+(\d+)", text)[1]),
         }
-
-    def medians(self, calls):
-        """The median figures of each of several calls, taken in turn."""
-        results = {name: [] for name in calls}
-        for _ in range(self.args.runs):
-            for name, call in calls.items():
-                results[name].append(call())
-        return {
-            name: {key: statistics.median(r[key] for r in found) for key in found[0]} for name, found in results.items()
-        }
-
-
-def table(header, rows):
-    lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
-    return "\n".join(lines + ["| " + " | ".join(str(c) for c in row) + " |" for row in rows]) + "\n"
 
 
 def rate(result):
@@ -88,13 +60,13 @@ def square(peers, folder):
             calls["CGAL Mesh_2"] = lambda e=edge: peers.mesh_2(path, MESH_2_20_DEGREES, e)
         if peers.args.triangle:
             calls["Triangle"] = lambda a=area: peers.triangle(path, f"-pq20.7a{a:.10f}")
-        result = peers.medians(calls)
+        result = medians(calls, peers.args.runs)
         for name, r in result.items():
             rows.append([f"area {area}" if name != "CGAL Mesh_2" else f"edge {edge}", name, f"{r['triangles']:,.0f}",
                          f"{r['seconds']:.3f}", f"{rate(r):,.0f}", f"{rate(result['delref']) / rate(r):.1f}",
                          f"{r['megabytes'] * 2**20 / r['triangles']:.0f}" if "megabytes" in r else ""])
-    return "## Unit square\n\n" + table(
-        ["bound", "program", "triangles", "seconds", "vertices/s", "delref is times as fast", "bytes a triangle"], rows)
+    return table("Unit square", "",
+                 ["bound", "program", "triangles", "seconds", "vertices/s", "delref is times as fast", "bytes a triangle"], rows)
 
 
 def inputs(peers):
@@ -108,12 +80,12 @@ def refinement(peers):
         calls = {"delref": lambda p=path: peers.delref(p, 20.7), "mesh_2": lambda p=path: peers.mesh_2(p, MESH_2_20_DEGREES)}
         if peers.args.triangle:
             calls["triangle"] = lambda p=path: peers.triangle(p, "-pq20.7D")
-        r = peers.medians(calls)
+        r = medians(calls, peers.args.runs)
         rows.append([path.stem, f"{r['delref']['seconds']:.4f}", f"{r['mesh_2']['seconds']:.4f}",
                      f"{r['mesh_2']['seconds'] / r['delref']['seconds']:.1f}",
                      f"{r['triangle']['seconds']:.3f}" if "triangle" in r else ""])
-    return "## Refinement alone, 20.7 degrees, circles, seconds\n\n" + table(
-        ["input", "delref", "CGAL Mesh_2", "Mesh_2 / delref", "Triangle -D"], rows)
+    return table("Refinement alone, 20.7 degrees, circles, seconds", "",
+                 ["input", "delref", "CGAL Mesh_2", "Mesh_2 / delref", "Triangle -D"], rows)
 
 
 def counts(peers):
@@ -128,7 +100,7 @@ def counts(peers):
                 row.append(f"{peers.delref(path, angle, 0, encroachment)['triangles']:,.0f}")
                 row.append(f"{peers.triangle(path, f'-pq{angle}{switch}')['triangles']:,.0f}" if peers.args.triangle else "")
             rows.append(row)
-    return "## Triangles\n\n" + table(["input", "angle", "delref circle", "Triangle -D", "delref lens", "Triangle"], rows)
+    return table("Triangles", "", ["input", "angle", "delref circle", "Triangle -D", "delref lens", "Triangle"], rows)
 
 
 def queues(peers, folder):
@@ -136,9 +108,10 @@ def queues(peers, folder):
     cases = [(path, 20.7, 1.5e-6)] + [(p, 30, 0) for p in inputs(peers)]
     rows = []
     for p, angle, area in cases:
-        r = peers.medians({q: lambda q=q: peers.delref(p, angle, area, "circle", q) for q in ("bucket", "lifo", "fifo")})
+        r = medians({q: lambda q=q: peers.delref(p, angle, area, "circle", q) for q in ("bucket", "lifo", "fifo")}, peers.args.runs)
         rows.append([p.stem, angle] + [f"{r[q]['triangles']:,.0f} in {r[q]['seconds']:.3f} s" for q in r])
-    return "## Queue policies of the faces level\n\n" + table(["input", "angle", "buckets (default)", "last in first out", "first in first out"], rows)
+    return table("Queue policies of the faces level", "",
+                 ["input", "angle", "buckets (default)", "last in first out", "first in first out"], rows)
 
 
 def whole_program(peers, folder):
@@ -149,16 +122,16 @@ def whole_program(peers, folder):
         ours, theirs = [], []
         for _ in range(peers.args.runs):
             start = time.perf_counter()
-            run([peers.args.delref, "mesh", path, "-o", Path(folder) / "out.node", "--quiet"])
+            run([peers.args.delref, "mesh", path, "-o", Path(folder) / "out.node", "--quiet"], accepted=(0, 4))
             ours.append(time.perf_counter() - start)
             shutil.copy(path, Path(folder) / "in.poly")
             start = time.perf_counter()
-            run([peers.args.triangle, "-pq20.7DQ", "in.poly"], cwd=folder)
+            run([peers.args.triangle, "-pq20.7DQ", "in.poly"], folder)
             theirs.append(time.perf_counter() - start)
         a, b = statistics.median(ours), statistics.median(theirs)
         rows.append([path.stem, f"{a:.3f}", f"{b:.3f}", f"{a / b:.2f}"])
-    return "## Whole program, read to write of .node and .ele, wall seconds\n\n" + table(
-        ["input", "delref", "Triangle -D", "delref / Triangle"], rows)
+    return table("Whole program, read to write of .node and .ele, wall seconds", "",
+                 ["input", "delref", "Triangle -D", "delref / Triangle"], rows)
 
 
 def main():

@@ -5,27 +5,17 @@
 
 #include <cmath>
 #include <cstddef>
-#include <ctime>
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <delref/core/point.hpp>
 #include <delref/mesh/tetrahedral_mesh.hpp>
 #include <delref/mesh/tetrahedral_quality.hpp>
 #include <delref/mesh/tetrahedron_measures.hpp>
 
+#include "../processor.hpp"
+
 namespace benchmark {
-
-/// Seconds of processor time that this program has used: what other work on the machine does to it least.
-inline double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-/// The most memory that was resident at any time, in units of 2^20 bytes.
-inline double peak_megabytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
-}
 
 /// The tetrahedra of a mesh whose circumradius is over `bound` times their shortest edge, with a slack of 1e-9 for rounding.
 inline std::size_t count_over(const delref::TetrahedralMesh& mesh, double bound) {

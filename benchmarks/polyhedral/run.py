@@ -10,10 +10,12 @@ import argparse
 import os
 import re
 import shutil
-import statistics
-import subprocess
+import sys
 import tempfile
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+from measuring import figures, medians, run, table
 
 RADIUS_EDGE = 1.414
 # Per case: the volume bound of delref and TetGen, and Mesh_3's size, each for about 100,000 vertices, or a million.
@@ -27,24 +29,6 @@ CASES = {
 LARGE = {"cube, a million"}
 RATIO_BOUNDS = (2, 1.6, 1.414, 1.3, 1.2, 1.15, 1.1, 1.05)
 DELREF, MESH_3, TETGEN_15, TETGEN = "delref", "CGAL Mesh_3", "TetGen 1.5", "TetGen, newer"
-
-
-def run(command, folder):
-    """Runs a command; its output and its peak memory in units of 2^20 bytes."""
-    with open(Path(folder) / "output", "w+", encoding="utf-8") as output:
-        child = subprocess.Popen([str(c) for c in command], cwd=folder, stdout=output, stderr=subprocess.STDOUT)
-        _, status, usage = os.wait4(child.pid, 0)
-        child.returncode = os.waitstatus_to_exitcode(status)
-        output.seek(0)
-        text = output.read()
-    if child.returncode != 0:
-        raise SystemExit(f"{command}: exit code {child.returncode}\n{text}")
-    return text, usage.ru_maxrss / 1024
-
-
-def figures(text):
-    words = text.split()
-    return {key: float(value) for key, value in zip(words[::2], words[1::2])}
 
 
 def write_cubes(path, count, place):
@@ -117,11 +101,6 @@ class Meshers:
         return paths
 
 
-def table(title, text, header, rows):
-    lines = [f"## {title}", "", text, "", "| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
-    return "\n".join(lines + ["| " + " | ".join(str(c) for c in row) + " |" for row in rows]) + "\n"
-
-
 def rate(result):
     return result["vertices"] / result["seconds"]
 
@@ -129,14 +108,8 @@ def rate(result):
 def measure(meshers, name, path):
     """The median figures of each program on one case."""
     volume, size = CASES[name]
-    results = {program: [] for program in meshers.programs}
-    for i in range(meshers.args.large_runs if name in LARGE else meshers.args.runs):
-        for program, found in results.items():
-            if program != MESH_3 or i < meshers.args.mesh_3_runs:
-                found.append(meshers.mesh(program, path, volume, size))
-    return {
-        program: {key: statistics.median(r[key] for r in found) for key in found[0]} for program, found in results.items() if found
-    }
+    calls = {program: lambda p=program: meshers.mesh(p, path, volume, size) for program in meshers.programs}
+    return medians(calls, meshers.args.large_runs if name in LARGE else meshers.args.runs, {MESH_3: meshers.args.mesh_3_runs})
 
 
 def speed(results):

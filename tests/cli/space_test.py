@@ -101,7 +101,7 @@ class Options(SpaceTest):
         for name in outputs:
             self.run_program("verify", "in.poly", name)
             text = self.run_program("info", name).out
-            for words in ["tetrahedra ", "Radius-edge ratio", "Triangles on facets of the input:", "slivers"]:
+            for words in ["tetrahedra ", "Radius-edge ratio", "Triangles on facets or surfaces:", "slivers"]:
                 self.assertIn(words, text)
 
     def test_two_runs_write_the_same_bytes(self):

@@ -41,6 +41,10 @@ class Usage(ProgramTest):
             "--max-vertices": ["0", "-3", "1.5", "x"], "--time-limit": ["-1", "x"], "--smallest-edge": ["-1"],
             "--svg-colour": ["red"], "--radius-edge": ["0.99", "0", "-2", "nan", "inf", "x"], "--max-volume": ["0", "-1", "nan"],
             "--cell-size": ["0", "-1", "x"], "--join-coplanar": ["-1", "46", "nan"], "--planarity-tolerance": ["-1", "0.2", "x"],
+            "--facet-angle": ["60", "-1", "nan"], "--facet-size": ["0", "-1", "inf", "x"], "--facet-distance": ["0", "nan"],
+            "--iso": ["nan", "inf", "x", ""], "--inside": ["left"], "--background": ["x", "1.5"], "--smooth-labels": ["0", "4", "-1", "x"],
+            "--sampling": ["0", "-1", "x"], "--region-cell-size": ["1", "x=1", "1=0", "1=", "=1"], "--smallest-facet": ["-1", "x"],
+            "--neighbours": ["5", "7.5", "x"], "--outliers": ["0", "-1"], "--smooth-points": ["-1", "1.5"],
         }.items():
             for value in values:
                 with self.subTest(option=option, value=value):
@@ -83,14 +87,17 @@ class Usage(ProgramTest):
 
 
 class Help(ProgramTest):
+    smooth = ["--implicit", "--bounds", "--iso", "--inside", "--closed", "--labels", "--background", "--smooth-labels", "--point-set",
+              "--sampling", "--neighbours", "--outliers", "--smooth-points", "--facet-angle", "--facet-size", "--facet-distance",
+              "--surface-only", "--region-cell-size", "--smallest-facet"]
     options = {
         "mesh": ["-o", "--min-angle", "--max-area", "--max-edge", "--size-points", "--gradation", "--encroachment", "--points",
                  "--split-crossings", "--keep-boundary", "--merge-tolerance", "--max-vertices", "--time-limit", "--smallest-edge",
                  "--strict", "--report", "--svg-colour", "--quiet", "--help", "--radius-edge", "--max-volume", "--cell-size",
-                 "--join-coplanar", "--planarity-tolerance", "--regions"],
+                 "--join-coplanar", "--planarity-tolerance", "--regions", *smooth],
         "verify": ["--report", "--min-angle", "--max-area", "--max-edge", "--size-points", "--gradation", "--encroachment",
                    "--keep-boundary", "--split-crossings", "--merge-tolerance", "--help", "--radius-edge", "--max-volume",
-                   "--cell-size", "--join-coplanar", "--planarity-tolerance"],
+                   "--cell-size", "--join-coplanar", "--planarity-tolerance", *smooth],
         "info": ["--help"],
     }
 

@@ -1,4 +1,4 @@
-// expect: a triangle criterion needs: is_met(shape) const that gives bool for a delref::TriangleShape, a static constexpr name, and a static constexpr bool bounds_size; and to be copy constructible
+// expect: a criterion needs: is_met(shape) const that gives bool for the shape of what it judges, such as delref::TriangleShape or delref::TetrahedronShape; a static constexpr name, and a static constexpr bool bounds_size; and to be copy constructible
 // times: 4
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <delref/criteria/triangle_criteria.hpp>

@@ -5,6 +5,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include <array>
+#include <concepts>
 #include <string>
 #include <utility>
 #include <vector>
@@ -80,6 +81,9 @@ TEST_CASE("criteria are asked by import") {
   static_assert(delref::explain_point_choice<delref::Circumcentre>());
   static_assert(delref::TriangleCriterion<delref::MaximumArea> && delref::explain_triangle_criterion<delref::MaximumArea>());
   const delref::TriangleCriteria both(delref::MinimumAngle{}, delref::MaximumArea{0.1});
+  static_assert(std::same_as<decltype(both), const delref::SimplexCriteria<delref::TriangleShape, delref::MinimumAngle, delref::MaximumArea>>);
+  static_assert(delref::SimplexCriterion<delref::MaximumArea, delref::TriangleShape>);
+  static_assert(delref::explain_criterion<delref::TriangleShape, delref::MaximumArea>());
   CHECK(both.unmet(t) == "maximum area");
 }
 

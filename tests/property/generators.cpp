@@ -258,16 +258,21 @@ Pslg disjoint_segments(std::uint64_t seed) {
   return moved(std::move(p), random);
 }
 
-// Each polyline is in a column of its own and goes upwards; those that hang share a vertex with the lower side.
-Pslg slits(std::uint64_t seed) {
-  Random random(seed);
-  Pslg p;
-  const int columns = random.integer(1, 12);
+// The unit square as vertices from 0 on; that of column i in the middle of its lower side is 2 + i.
+void add_square_of_columns(Pslg& p, int columns) {
   std::vector<Point2> boundary{{0, 1}, {0, 0}};
   for (int i = 0; i < columns; ++i) boundary.push_back({(i + 0.5) / columns, 0});
   boundary.push_back({1, 0});
   boundary.push_back({1, 1});
   add_loop(p, boundary);
+}
+
+// Each polyline is in a column of its own and goes upwards; those that hang share a vertex with the lower side.
+Pslg slits(std::uint64_t seed) {
+  Random random(seed);
+  Pslg p;
+  const int columns = random.integer(1, 12);
+  add_square_of_columns(p, columns);
   for (int i = 0; i < columns; ++i) {
     const bool hangs = random.chance(0.6);
     const int pieces = random.integer(1, 5);
@@ -285,11 +290,7 @@ Pslg touching_holes(std::uint64_t seed) {
   Random random(seed);
   Pslg p;
   const int columns = random.integer(1, 6);
-  std::vector<Point2> boundary{{0, 1}, {0, 0}};
-  for (int i = 0; i < columns; ++i) boundary.push_back({(i + 0.5) / columns, 0});
-  boundary.push_back({1, 0});
-  boundary.push_back({1, 1});
-  add_loop(p, boundary);
+  add_square_of_columns(p, columns);
   for (int i = 0; i < columns; ++i) {
     const Point2 left{(i + random.uniform(0.05, 0.45)) / columns, random.uniform(0.01, 0.9)};
     const Point2 right{(i + random.uniform(0.55, 0.95)) / columns, random.uniform(0.01, 0.9)};

@@ -4,8 +4,6 @@
 // every promise kept; nothing is given up but what a small input angle forces; the volume is that of the domain; the same input
 // gives the same bytes.
 #include <cmath>
-#include <algorithm>
-#include <array>
 #include <cstdint>
 #include <cstdlib>
 
@@ -51,15 +49,10 @@ PolyhedralOptions options_for(const NamedComplex& input, std::uint64_t seed) {
 
 }  // namespace
 
-/// Faults that are known and open (docs/limitations.md): fans whose excuses mesher and verifier judge differently, and coordinates
-/// so far from the origin that the grid is a million times smaller. Take a seed out when its fault is mended.
-constexpr std::array<std::uint64_t, 6> open_faults{56, 140, 198, 224, 230, 236};
-
 TEST_CASE("A mesh of a generated complex is what was promised") {
   std::size_t stopped = 0;
   const std::uint64_t count = seed_count(240);
   for (std::uint64_t seed = 0; seed < count; ++seed) {
-    if (std::ranges::find(open_faults, seed) != open_faults.end()) continue;
     const NamedComplex input = generate(seed);
     CAPTURE(input.name, seed);
     const PolyhedralOptions options = options_for(input, seed);

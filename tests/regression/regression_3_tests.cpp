@@ -124,3 +124,32 @@ TEST_CASE("A segment with a needle's corner at one end and a blunt one at the ot
   add_facet(plc, {c, tip, tip + up, c + up}, 9);
   good_mesh(plc);
 }
+
+TEST_CASE("No region is lost when all of its cells are new before a torn facet is whole, a million sizes from the origin") {
+  const NamedComplex grid = generate(198);
+  CHECK(volume(good_mesh(grid.complex.plc).mesh) == Approx(*grid.complex.volume).epsilon(1e-8));
+}
+
+TEST_CASE("A vertex at the origin of a large facet is not taken for the counterpart of itself") {
+  Plc plc;
+  for (int k = 0; k < 4; ++k) {
+    const Point3 a = polar(3e5, 90.0 * k, 0), b = polar(2e5, 90.0 * k + 60, 0), o;
+    const Vector3 up{0, 0, 4e5};
+    const Point3 c = polar(3e5, 90.0 * ((k + 1) % 4), 0);
+    add_facet(plc, {a, b, c, o}, 1);
+    add_facet(plc, {a + up, b + up, c + up, o + up}, 2);
+    add_facet(plc, {a, b, b + up, a + up}, 3);
+    add_facet(plc, {b, c, c + up, b + up}, 4);
+    add_facet(plc, {o, a, a + up, o + up}, 10 + k);
+  }
+  for (std::uint64_t seed = 0; seed < 10; ++seed) good_mesh(moved(plc, seed, 1, {}));
+  good_mesh(generate(230).complex.plc);
+  good_mesh(generate(1010).complex.plc);
+}
+
+TEST_CASE("Tetrahedra left for facets of a fan 5 degrees apart are excused by the vertices on both facets") {
+  for (const std::uint64_t seed : {56u, 140u, 236u}) {
+    CAPTURE(seed);
+    good_mesh(generate(seed).complex.plc);
+  }
+}

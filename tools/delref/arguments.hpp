@@ -8,6 +8,8 @@
 
 #include <delref/io/report.hpp>
 
+#include "input_kind.hpp"
+
 namespace delref::program {
 
 /// The gradation when `--size-points` is given without `--gradation`.
@@ -22,28 +24,26 @@ inline ReportedOptions default_options() {
   return options;
 }
 
-/// The options on the command line that have a meaning in one dimension only. Which one it is, the input file says.
-struct GivenOptions {
-  std::vector<std::string> of_plane, of_space;
-};
-
 struct MeshArguments {
-  std::string input;
+  std::string input;  ///< empty: --implicit
   std::vector<std::string> outputs;
   ReportedOptions options = default_options();
-  GivenOptions given;
-  std::string report;          ///< empty: none
-  bool svg_by_region = false;  ///< what the colours of an .svg tell
-  bool regions = false;        ///< print them
+  ReportedSmoothOptions smooth;    ///< of smooth domains; `options` has none of them yet
+  std::vector<GivenOption> given;  ///< those that have a meaning for some kinds of input only
+  std::string report;              ///< empty: none
+  bool svg_by_region = false;      ///< what the colours of an .svg tell
+  bool regions = false;            ///< print them
   bool strict = false;
   bool quiet = false;
 };
 
 struct VerifyArguments {
-  std::string input, mesh;
+  std::string input;  ///< empty: --implicit, or as the report says
+  std::string mesh;
   std::string report;  ///< empty: the promises are in `options`
   ReportedOptions options = default_options();
-  GivenOptions given;
+  ReportedSmoothOptions smooth;
+  std::vector<GivenOption> given;
 };
 
 struct InfoArguments {

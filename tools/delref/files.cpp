@@ -14,6 +14,7 @@
 #include <delref/io/planar_formats.hpp>
 #include <delref/io/polyhedral_formats.hpp>
 #include <delref/io/report_json.hpp>
+#include <delref/io/surface_formats.hpp>
 #include <delref/io/tetrahedral_formats.hpp>
 
 #include "exit_codes.hpp"
@@ -22,20 +23,26 @@ namespace delref::program {
 
 namespace fs = std::filesystem;
 
-Dimension dimension_of(const std::string& path, const Control& control) { return domain_dimension(path, control); }
-
 template <>
-Pslg read_domain(const std::string& path, const Control& control, std::vector<std::string>& notes) {
+Pslg read_domain(const std::string& path, const ReportedOptions&, const Control& control, std::vector<std::string>& notes) {
   PslgFile file = read_pslg(path, control);
   std::ranges::move(file.notes, std::back_inserter(notes));
   return std::move(file.pslg);
 }
 
 template <>
-Plc read_domain(const std::string& path, const Control& control, std::vector<std::string>& notes) {
+Plc read_domain(const std::string& path, const ReportedOptions&, const Control& control, std::vector<std::string>& notes) {
   PlcFile file = read_plc(path, control);
   std::ranges::move(file.notes, std::back_inserter(notes));
   return std::move(file.plc);
+}
+
+template <>
+SmoothDomain read_domain(const std::string& path, const ReportedOptions& options, const Control& control, std::vector<std::string>& notes) {
+  const ReportedSmoothOptions& smooth = *options.smooth;
+  if (!smooth.expressions.empty()) return function_domain(smooth, control, notes);
+  if (smooth.iso || smooth.labels) return image_domain(path, smooth, control, notes);
+  return point_set_domain(path, smooth, control, notes);
 }
 
 namespace {
@@ -81,6 +88,14 @@ PolyhedralPromise read_promise(const std::string& path, const Control& control) 
   return read_report<Point3>(path, control);
 }
 
+std::optional<ReportedSmoothOptions> reported_smooth_options(const std::string& path, const Control& control) {
+  try {
+    return read_report<Point3>(path, control).options.smooth;
+  } catch (const InvalidInput&) {
+    return std::nullopt;  // whoever reads it as what it should be tells what is wrong
+  }
+}
+
 namespace {
 
 /// A name for a file that two spellings of its path share.
@@ -99,9 +114,22 @@ void check_writable(const fs::path& path) {
   const OutputFile probe(path);
 }
 
-std::vector<fs::path> files_of(const std::string& output, Dimension dimension) {
+/// The files of the tetrahedral formats or of those of surfaces.
+std::vector<fs::path> smooth_mesh_files(const std::string& output) {
+  if (is_surface_format(output)) return {output};
   try {
-    return dimension == Dimension::plane ? planar_mesh_files(output) : tetrahedral_mesh_files(output);
+    return tetrahedral_mesh_files(output);
+  } catch (const OutputError&) {
+    throw OutputError(delref::detail::unknown_extension(
+        output, "a mesh of a smooth domain that can be written;",
+        fmt::format("{} (tetrahedra), {} (surfaces)", writable_tetrahedral_formats, surface_formats)));
+  }
+}
+
+std::vector<fs::path> files_of(const std::string& output, InputKind kind) {
+  try {
+    if (is_smooth(kind)) return smooth_mesh_files(output);
+    return kind == InputKind::plane ? planar_mesh_files(output) : tetrahedral_mesh_files(output);
   } catch (const OutputError& error) {
     throw UsageError(error.what());
   }
@@ -109,7 +137,7 @@ std::vector<fs::path> files_of(const std::string& output, Dimension dimension) {
 
 }  // namespace
 
-std::vector<fs::path> check_outputs(const OutputPlan& plan, Dimension dimension) {
+std::vector<fs::path> check_outputs(const OutputPlan& plan, InputKind kind) {
   std::map<fs::path, std::string> taken;
   for (const std::string& input : plan.inputs) taken.emplace(resolved(input), "is read as input");
   std::vector<fs::path> files;
@@ -119,7 +147,7 @@ std::vector<fs::path> check_outputs(const OutputPlan& plan, Dimension dimension)
     files.push_back(file);
   };
   for (const std::string& output : plan.meshes)
-    for (const fs::path& file : files_of(output, dimension)) take(file, "would be written for -o " + output);
+    for (const fs::path& file : files_of(output, kind)) take(file, "would be written for -o " + output);
   if (!plan.report.empty()) take(plan.report, "would be written for --report");
   for (const fs::path& file : files) check_writable(file);
   return files;
@@ -162,6 +190,18 @@ std::vector<std::string> write_mesh(const std::string& path, const PolyhedralRun
   TetrahedralFileContext context;
   context.input = &input;
   context.original_point = run.original_point;
+  context.input_file = report.input_file;
+  write_tetrahedral_mesh(path, run.mesh, context, unlimited());
+  return names(tetrahedral_mesh_files(path));
+}
+
+std::vector<std::string> write_mesh(const std::string& path, const SmoothRun& run, const SmoothDomain&, const PolyhedralRunReport& report,
+                                    const MeshArguments&) {
+  if (is_surface_format(path)) {
+    write_surface(path, run.mesh, unlimited());
+    return {path};
+  }
+  TetrahedralFileContext context;
   context.input_file = report.input_file;
   write_tetrahedral_mesh(path, run.mesh, context, unlimited());
   return names(tetrahedral_mesh_files(path));

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -14,23 +15,22 @@
 #include <delref/mesh/tetrahedral_mesh.hpp>
 
 #include "arguments.hpp"
+#include "input_kind.hpp"
 #include "planar_run.hpp"
 #include "polyhedral_run.hpp"
+#include "smooth_run.hpp"
 
 namespace delref {
 template <class Point>
 struct BasicPromise;
-enum class Dimension : unsigned char;
 }  // namespace delref
 
 namespace delref::program {
 
-/// Whether the domain in a file lies in the plane or in space. Throws `InvalidInput` and `Interrupted`.
-Dimension dimension_of(const std::string& path, const Control& control);
-
-/// The domain in a file, a `Pslg` or a `Plc`; what its reader has to say is added to `notes`. Throws `InvalidInput` and `Interrupted`.
+/// The domain in a file, a `Pslg`, a `Plc`, or the `SmoothDomain` that the options say; what its reader has to say is added to `notes`.
+/// Throws `InvalidInput` and `Interrupted`.
 template <class Domain>
-Domain read_domain(const std::string& path, const Control& control, std::vector<std::string>& notes);
+Domain read_domain(const std::string& path, const ReportedOptions& options, const Control& control, std::vector<std::string>& notes);
 
 /// The mesh in a file, a `PlanarMesh`, a `TetrahedralMesh`, or a variant of both. Throws `InvalidInput`, also in words for the formats
 /// that are only written, and `Interrupted`.
@@ -41,6 +41,9 @@ Mesh read_mesh(const std::string& path, const Control& control);
 template <class Point>
 BasicPromise<Point> read_promise(const std::string& path, const Control& control);
 
+/// What the report of a run on a smooth domain says of it; nothing for any other file. Throws `Interrupted`.
+std::optional<ReportedSmoothOptions> reported_smooth_options(const std::string& path, const Control& control);
+
 /// The files that a run will write, and those that it must leave alone.
 struct OutputPlan {
   std::vector<std::string> meshes;
@@ -48,9 +51,9 @@ struct OutputPlan {
   std::vector<std::string> inputs;
 };
 
-/// Every file that will be written. Throws `UsageError` for a name that says no format of the dimension or that is used twice, and
+/// Every file that will be written. Throws `UsageError` for a name that says no format of the kind's meshes or that is used twice, and
 /// `OutputError` when a folder cannot be written.
-std::vector<std::filesystem::path> check_outputs(const OutputPlan& plan, Dimension dimension);
+std::vector<std::filesystem::path> check_outputs(const OutputPlan& plan, InputKind kind);
 
 /// Removes what is there of outputs that are being written. For a program that ends in the midst of that.
 void remove_partial_files(const std::vector<std::filesystem::path>& files);
@@ -60,6 +63,9 @@ void remove_partial_files(const std::vector<std::filesystem::path>& files);
 std::vector<std::string> write_mesh(const std::string& path, const PlanarRun& run, const Pslg& input, const RunReport& report,
                                     const MeshArguments& arguments);
 std::vector<std::string> write_mesh(const std::string& path, const PolyhedralRun& run, const Plc& input,
+                                    const PolyhedralRunReport& report, const MeshArguments& arguments);
+
+std::vector<std::string> write_mesh(const std::string& path, const SmoothRun& run, const SmoothDomain& input,
                                     const PolyhedralRunReport& report, const MeshArguments& arguments);
 
 /// Throw `OutputError`.

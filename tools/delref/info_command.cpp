@@ -12,6 +12,7 @@
 #include <delref/io/mesh_formats.hpp>
 #include <delref/mesh/quality.hpp>
 #include <delref/mesh/quality_table.hpp>
+#include <delref/mesh/surface_quality.hpp>
 #include <delref/mesh/tetrahedral_quality.hpp>
 #include <delref/mesh/tetrahedral_quality_table.hpp>
 
@@ -26,7 +27,10 @@ namespace {
 
 std::string description(const PlanarMesh& mesh, const Control&) { return quality_table(planar_quality(mesh)) + label_tables(mesh); }
 std::string description(const TetrahedralMesh& mesh, const Control& control) {
-  return quality_table(tetrahedral_quality(mesh, control)) + label_tables(mesh);
+  if (!mesh.tetrahedra.empty() || mesh.triangles.empty()) return quality_table(tetrahedral_quality(mesh, control)) + label_tables(mesh);
+  SurfaceQuality quality = surface_quality(mesh, control);
+  quality.areas.clear();  // the tables of labels have them
+  return quality_table(quality) + label_tables(mesh);
 }
 
 }  // namespace

@@ -64,8 +64,8 @@ std::string edges_table(const Mesh& mesh) {
 }
 
 std::string triangles_table(const TetrahedralMesh& mesh) {
-  if (mesh.triangles.empty()) return "\nThe file carries no triangles on facets.\n";
-  return table("Triangles on facets of the input:", "marker", "triangles", "area",
+  if (mesh.triangles.empty()) return "\nThe file carries no triangles on facets or surfaces.\n";
+  return table("Triangles on facets or surfaces:", "marker", "triangles", "area",
                tallied(mesh.triangles.size(), mesh.triangle_markers, [&](std::size_t t) {
                  const auto& [a, b, c] = mesh.triangles[t];
                  return 0.5 * length(cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]));
@@ -112,7 +112,7 @@ std::string regions_table(const TetrahedralMesh& mesh) {
 
 std::string label_tables(const PlanarMesh& mesh) { return regions_table(mesh) + edges_table(mesh) + vertices_tables(mesh); }
 std::string label_tables(const TetrahedralMesh& mesh) {
-  return regions_table(mesh) + triangles_table(mesh) + edges_table(mesh) + vertices_tables(mesh);
+  return (mesh.tetrahedra.empty() ? "" : regions_table(mesh)) + triangles_table(mesh) + edges_table(mesh) + vertices_tables(mesh);
 }
 
 }  // namespace delref::program

@@ -12,14 +12,13 @@
 #include <fmt/format.h>
 
 #include <delref/core/budget.hpp>
-#include <delref/io/polyhedral_formats.hpp>
 
 #include "commands.hpp"
 #include "files.hpp"
+#include "input_kind.hpp"
 #include "interrupt.hpp"
 #include "kept_back.hpp"
 #include "mesh_run.hpp"
-#include "option_dimension.hpp"
 #include "progress.hpp"
 
 namespace delref::program {
@@ -31,14 +30,16 @@ class MeshCommand {
 
   ExitCode run() {
     try {
-      const Dimension dimension = dimension_of(arguments_.input, Control(budget(), signals_.token()));
-      refuse_options_of_the_other_dimension(arguments_.given, dimension, arguments_.input, "mesh");
-      files_ = check_outputs({arguments_.outputs, arguments_.report, inputs()}, dimension);
+      const InputKind kind = kind_of_input(arguments_.input, arguments_.smooth, Control(budget(), signals_.token()));
+      refuse_options_of_other_kinds(arguments_.given, kind, name_, "mesh");
+      if (is_smooth(kind)) arguments_.options.smooth = arguments_.smooth;
+      files_ = check_outputs({arguments_.outputs, arguments_.report, inputs()}, kind);
       files_are_known_.store(true, std::memory_order_release);
       Budget budget = this->budget();
-      budget.kept_back_per_vertex = kept_back_per_vertex(arguments_.outputs, dimension);
+      budget.kept_back_per_vertex = kept_back_per_vertex(arguments_.outputs, kind);
       const Control control(budget, signals_.token());
-      if (dimension == Dimension::plane) return MeshRun<Plane>(arguments_, control, progress_).run();
+      if (is_smooth(kind)) return MeshRun<Smooth>(arguments_, control, progress_).run();
+      if (kind == InputKind::plane) return MeshRun<Plane>(arguments_, control, progress_).run();
       return MeshRun<Space>(arguments_, control, progress_).run();
     } catch (const Interrupted& interrupted) {
       return nothing_to_show(interrupted.cause);
@@ -60,7 +61,8 @@ class MeshCommand {
   }
 
   std::vector<std::string> inputs() const {
-    std::vector<std::string> files{arguments_.input};
+    std::vector<std::string> files;
+    if (!arguments_.input.empty()) files.push_back(arguments_.input);
     if (!arguments_.options.size_points_file.empty()) files.push_back(arguments_.options.size_points_file);
     return files;
   }
@@ -68,19 +70,20 @@ class MeshCommand {
   ExitCode nothing_to_show(Stop cause) {
     progress_.finish();
     fmt::print(stderr, "delref: {} while {} {}; there is no mesh yet, and nothing was written\n",
-               cause == Stop::time ? "the time limit was reached" : "interrupted", progress_.stage(), arguments_.input);
+               cause == Stop::time ? "the time limit was reached" : "interrupted", progress_.stage(), name_);
     return cause == Stop::time ? ExitCode::unmet : ExitCode::interrupted;
   }
 
   /// The second interrupt, in a thread of its own: nothing is finished any more. What is complete stays, what is not is removed.
   [[noreturn]] void abandon() {
     progress_.silence();
-    fmt::print(stderr, "delref: interrupted again while {} {}; what was not complete is removed\n", progress_.stage(), arguments_.input);
+    fmt::print(stderr, "delref: interrupted again while {} {}; what was not complete is removed\n", progress_.stage(), name_);
     if (files_are_known_.load(std::memory_order_acquire)) remove_partial_files(files_);
     std::_Exit(static_cast<int>(ExitCode::interrupted));
   }
 
-  const MeshArguments& arguments_;
+  MeshArguments arguments_;
+  const std::string name_ = name_of_input(arguments_.input, arguments_.smooth);
   const Clock::time_point start_ = Clock::now();
   std::vector<std::filesystem::path> files_;
   std::atomic<bool> files_are_known_{false};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A run of `delref mesh` in the plane or in space: reads, meshes, writes, tells.
+// A run of `delref mesh` on any kind of input: reads, meshes, writes, tells.
 #pragma once
 
 #include <cstdio>
@@ -20,11 +20,13 @@
 #include "arguments.hpp"
 #include "exit_codes.hpp"
 #include "files.hpp"
+#include "input_kind.hpp"
 #include "label_tables.hpp"
 #include "planar_run.hpp"
 #include "polyhedral_run.hpp"
 #include "progress.hpp"
 #include "size_points.hpp"
+#include "smooth_run.hpp"
 #include "stages.hpp"
 #include "summary.hpp"
 
@@ -40,6 +42,7 @@ inline ReportedCounts counts_of(const Plc& input) {
           .regions = input.regions.size(),
           .facets = input.facets.size()};
 }
+inline ReportedCounts counts_of(const SmoothDomain&) { return {}; }
 inline ReportedCounts counts_of(const PlanarMesh& mesh) {
   return {.vertices = mesh.points.size(), .segments = mesh.edges.size(), .triangles = mesh.triangles.size()};
 }
@@ -51,15 +54,17 @@ inline PlanarQuality quality_of(const PlanarMesh& mesh) { return planar_quality(
 inline TetrahedralQuality quality_of(const TetrahedralMesh& mesh) { return tetrahedral_quality(mesh); }
 
 inline bool is_empty(const PlanarMesh& mesh) { return mesh.triangles.empty(); }
-inline bool is_empty(const TetrahedralMesh& mesh) { return mesh.tetrahedra.empty(); }
+inline bool is_empty(const TetrahedralMesh& mesh) { return mesh.tetrahedra.empty() && mesh.triangles.empty(); }
 
-/// What a run of space tells beyond one of the plane.
+/// What a run tells beyond one of the plane.
 inline void add_to_report(RunReport&, PlanarRun&) {}
 inline void add_to_report(PolyhedralRunReport& report, PolyhedralRun& run) {
   report.conforms = run.conforms;
   report.input_angles = std::move(run.input_angles);
   report.input_angle_count = run.input_angle_count;
 }
+
+inline void add_to_report(PolyhedralRunReport& report, SmoothRun& run) { report.surface = std::move(run.surface); }
 
 /// What is wrong with an input that was read, under its name.
 inline InvalidInput with_file_name(const InvalidInput& error, const std::string& file) {
@@ -68,7 +73,7 @@ inline InvalidInput with_file_name(const InvalidInput& error, const std::string&
   return InvalidInput(std::move(defects));
 }
 
-/// `Kind` is `Plane` or `Space`.
+/// `Kind` is `Plane`, `Space` or `Smooth`.
 template <class Kind>
 class MeshRun {
  public:
@@ -96,18 +101,18 @@ class MeshRun {
     options_ = Kind::options(arguments_.options);
     input_ = stages_("reading", "reading", [&] {
       if (const ReportedOptions& o = arguments_.options; !o.size_points_file.empty())
-        options_.size = read_size_points<typename Kind::Point>(o.size_points_file, o.gradation, control_);
-      return read_domain<typename Kind::Domain>(arguments_.input, control_, report_.notes);
+        Kind::set_sizes(options_, read_size_points<typename Kind::Point>(o.size_points_file, o.gradation, control_));
+      return read_domain<typename Kind::Domain>(arguments_.input, arguments_.options, control_, report_.notes);
     });
     report_.input = counts_of(input_);
   }
 
   void mesh() {
-    run_ = stages_("meshing", "checking", [&] {
+    run_ = stages_("meshing", Kind::before_refining, [&] {
       try {
         return run_mesher(input_, options_, control_, progress_);
       } catch (const InvalidInput& error) {
-        throw with_file_name(error, arguments_.input);
+        throw with_file_name(error, name_);
       }
     });
     report_.outcome = std::move(run_.outcome);
@@ -153,8 +158,8 @@ class MeshRun {
     if (!arguments_.quiet) {
       fmt::print("{}", summary(report_, run_.mesh, written_));
       if (arguments_.regions) fmt::print("{}", regions_table(run_.mesh));
-    } else if (!report_.outcome.unmet.empty() || report_.outcome.stopped) {
-      fmt::print(stderr, "delref: {}: {}\n{}", arguments_.input, verdict(report_), unmet_table(report_.outcome));
+    } else if (exit_code(report_, true) != ExitCode::ok) {
+      fmt::print(stderr, "delref: {}: {}\n{}", name_, verdict(report_), unmet_table(report_));
     }
   }
 
@@ -163,17 +168,17 @@ class MeshRun {
     report_.output_files.clear();
     report_what_was_asked();
     progress_.finish();
-    fmt::print(stderr, "delref: {}: {}\n{}There is no mesh yet, and none was written.\n", arguments_.input, verdict(report_),
-               unmet_table(report_.outcome));
+    fmt::print(stderr, "delref: {}: {}\n{}There is no mesh yet, and none was written.\n", name_, verdict(report_), unmet_table(report_));
     return failed_ ? ExitCode::internal : report_.outcome.stopped == Stop::token ? ExitCode::interrupted : ExitCode::unmet;
   }
 
   const MeshArguments& arguments_;
+  const std::string name_ = name_of_input(arguments_.input, arguments_.smooth);
   const Control& control_;
   Progress& progress_;
   typename Kind::Report report_;
   Stages stages_{progress_, report_.seconds};
-  decltype(Kind::options({})) options_;
+  decltype(Kind::options(ReportedOptions{})) options_;
   typename Kind::Domain input_;
   typename Kind::Run run_;
   std::vector<std::string> written_;

@@ -8,6 +8,7 @@
 
 #include <delref/algorithms/planar_options.hpp>
 #include <delref/algorithms/polyhedral_options.hpp>
+#include <delref/algorithms/smooth_options.hpp>
 #include <delref/io/report.hpp>
 #include <delref/mesh/verify/criteria.hpp>
 #include <delref/mesh/verify_3/criteria.hpp>
@@ -43,6 +44,19 @@ inline PolyhedralOptions polyhedral_options(const ReportedOptions& o) {
   options.max_volume = o.max_volume.value_or(no_bound);
   options.cell_size = o.cell_size.value_or(no_bound);
   options.input = plc_options(o);
+  return options;
+}
+
+/// Sizes by region are left out, for they are known by the labels of the domain. Requires the options of a smooth domain.
+inline SmoothOptions smooth_options(const ReportedOptions& o) {
+  SmoothOptions options;
+  options.facet_angle = AngleBound::degrees(o.smooth->facet_angle_degrees);
+  options.facet_size = o.smooth->facet_size.value_or(no_bound);
+  options.facet_distance = o.smooth->facet_distance.value_or(no_bound);
+  options.smallest_facet = o.smooth->smallest_facet;
+  options.surface_only = o.smooth->surface_only;
+  options.radius_edge = o.radius_edge;
+  options.cell_size = o.cell_size.value_or(no_bound);
   return options;
 }
 

@@ -4,7 +4,9 @@
 // own: the mesher with the program's observer, and the verification.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <delref/algorithms/planar_options.hpp>
@@ -44,9 +46,12 @@ struct Plane {
   using Mesh = PlanarMesh;
   using Run = PlanarRun;
   using Report = RunReport;
+  static constexpr const char* before_refining = "checking";
 
   static PlanarOptions options(const ReportedOptions& o) { return planar_options(o); }
+  static void set_sizes(PlanarOptions& options, std::function<double(Point2)> size) { options.size = std::move(size); }
   static PlanarCriteria criteria(const ReportedOptions& o) { return planar_criteria(o); }
+  static void promise_sizes(PlanarCriteria& criteria, std::function<double(Point2)> size) { criteria.size = std::move(size); }
 };
 
 }  // namespace delref::program

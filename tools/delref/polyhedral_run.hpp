@@ -4,7 +4,9 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <delref/algorithms/polyhedral_options.hpp>
@@ -50,9 +52,12 @@ struct Space {
   using Mesh = TetrahedralMesh;
   using Run = PolyhedralRun;
   using Report = PolyhedralRunReport;
+  static constexpr const char* before_refining = "checking";
 
   static PolyhedralOptions options(const ReportedOptions& o) { return polyhedral_options(o); }
+  static void set_sizes(PolyhedralOptions& options, std::function<double(Point3)> size) { options.size = std::move(size); }
   static PolyhedralCriteria criteria(const ReportedOptions& o) { return polyhedral_criteria(o); }
+  static void promise_sizes(PolyhedralCriteria& criteria, std::function<double(Point3)> size) { criteria.size = std::move(size); }
 };
 
 }  // namespace delref::program

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "progress.hpp"
 
-#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
@@ -63,11 +62,10 @@ std::string Progress::waiting() const {
     for (const auto& level : waiting_) total += level.load(std::memory_order_relaxed);
     return grouped(total) + " waiting";
   }
-  static constexpr std::array<const char*, 3> names{"edges", "facets", "tetrahedra"};
   std::string text;
-  for (std::size_t level = 0; level < names.size(); ++level)
+  for (std::size_t level = 0; level < waiting_.size(); ++level)
     if (const std::size_t count = waiting_[level].load(std::memory_order_relaxed); count > 0)
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", grouped(count), names[level]);
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", grouped(count), level_names_[level].load(std::memory_order_relaxed));
   return (text.empty() ? "none" : text) + " waiting";
 }
 

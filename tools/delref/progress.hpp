@@ -31,6 +31,8 @@ class Progress {
   /// What is being done from now on, such as "reading"; the text must live as long as the program.
   void begin(const char* stage) { stage_.store(stage, std::memory_order_relaxed); }
   const char* stage() const { return stage_.load(std::memory_order_relaxed); }
+  /// What waits in each level, as words, from the highest priority on; those of polyhedral meshes unless told. Before refining begins.
+  void name_levels(const std::array<const char*, 3>& names) { std::ranges::copy(names, level_names_.begin()); }
   /// Wipes the line and draws no more.
   void finish();
   /// The same for the last words of a program that ends without destroying anything. From any thread.
@@ -60,6 +62,7 @@ class Progress {
   std::atomic<const char*> stage_{"starting"};
   std::atomic<std::size_t> vertices_{0};
   std::array<std::atomic<std::size_t>, 3> waiting_{};  ///< per level
+  std::array<std::atomic<const char*>, 3> level_names_{"edges", "facets", "tetrahedra"};
   std::atomic<bool> in_space_{false};
   std::atomic<bool> refining_{false};
   Clock::time_point start_ = Clock::now();

@@ -12,20 +12,22 @@
 
 #include <delref/domain/describe.hpp>
 
+#include "rows.hpp"
+#include "surface_summary.hpp"
 #include "words.hpp"
 
 namespace delref::program {
 namespace {
 
 /// Why an element was left, as a clause after its number.
-const char* because(Reason reason) {
+const char* because(Reason reason, bool is_smooth) {
   switch (reason) {
     case Reason::small_input_angle:
       return "forced by a small angle of the input";
     case Reason::precision:
       return "at the limit of floating-point numbers";
     case Reason::size_floor:
-      return "already as small as --smallest-edge allows";
+      return is_smooth ? "already as small as the size floor" : "already as small as --smallest-edge allows";
     case Reason::protected_segment:
       return "would need the split of a boundary that --keep-boundary protects";
     case Reason::outside:
@@ -87,6 +89,17 @@ std::size_t forced(const Outcome<Point>& outcome) {
 std::string at(Point2 p) { return fmt::format("({:.6g}, {:.6g})", p.x, p.y); }
 std::string at(Point3 p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z); }
 
+/// Of a smooth domain: "5 seeds, 1,234 added on the surface, 2,527 added inside".
+std::string smooth_origins(const TetrahedralMesh& mesh) {
+  std::size_t seeds = 0, on_surface = 0;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    seeds += mesh.provenance[v] == input_level;
+    on_surface += mesh.provenance[v] != input_level && mesh.carriers[v].dimension == 2;
+  }
+  return fmt::format("{} seeds, {} added on the surface, {} added inside", grouped(seeds), grouped(on_surface),
+                     grouped(mesh.points.size() - seeds - on_surface));
+}
+
 /// "5,984 of the input, 819 added on segments, 2,527 added inside", and in space those on facets.
 template <class Mesh>
 std::string origins(const Mesh& mesh) {
@@ -105,6 +118,11 @@ std::string origins(const Mesh& mesh) {
                      grouped(mesh.points.size() - of_input - on_segments - on_facets));
 }
 
+std::string origins_of(const RunReport&, const PlanarMesh& mesh) { return origins(mesh); }
+std::string origins_of(const PolyhedralRunReport& report, const TetrahedralMesh& mesh) {
+  return report.surface ? smooth_origins(mesh) : origins(mesh);
+}
+
 std::string times(const std::vector<std::pair<std::string, double>>& seconds) {
   double total = 0;
   std::string parts;
@@ -115,16 +133,6 @@ std::string times(const std::vector<std::pair<std::string, double>>& seconds) {
   return fmt::format("{} ({})", seconds_text(total), parts);
 }
 
-/// Rows of a name and a value.
-class Rows {
- public:
-  void add(const char* name, const std::string& value) { text_ += fmt::format("{:<16}{}\n", name, value); }
-  const std::string& text() const { return text_; }
-
- private:
-  std::string text_;
-};
-
 void add_quality(Rows& rows, const RunReport& report) {
   const double bound = report.options.min_angle_degrees;
   rows.add("smallest angle", fmt::format("{:.4g} degrees{}", report.quality ? report.quality->smallest_angle : 0.0,
@@ -132,7 +140,8 @@ void add_quality(Rows& rows, const RunReport& report) {
 }
 
 void add_quality(Rows& rows, const PolyhedralRunReport& report) {
-  if (report.quality) {
+  if (report.surface) add_surface(rows, report);
+  if (report.quality && report.mesh.tetrahedra > 0) {
     const TetrahedralQuality& q = *report.quality;
     rows.add("radius-edge", fmt::format("{:.4g} at worst ({:g} asked for)", q.worst_radius_edge, report.options.radius_edge));
     rows.add("dihedral angles", fmt::format("{:.4g} to {:.4g} degrees; {} under 5 degrees", q.smallest_dihedral, q.largest_dihedral,
@@ -155,21 +164,29 @@ std::string input_text(const ReportedCounts& input, bool in_space) {
 template <class Report, class Mesh>
 std::string summary_of(const Report& report, const Mesh& mesh, const std::vector<std::string>& files) {
   constexpr bool in_space = std::is_same_v<Mesh, TetrahedralMesh>;
-  std::string text = fmt::format("{}: {}\n", report.input_file, input_text(report.input, in_space));
+  const std::string input = report.surface ? report.surface->domain : input_text(report.input, in_space);
+  std::string text = report.input_file.empty() ? input + '\n' : fmt::format("{}: {}\n", report.input_file, input);
   for (const std::string& note : report.notes) text += fmt::format("note: {}\n", note);
   Rows rows;
-  if (in_space)
+  if (report.surface && report.options.smooth->surface_only)
+    rows.add("tetrahedra", "none (--surface-only)");
+  else if (in_space)
     rows.add("tetrahedra", grouped(report.mesh.tetrahedra));
   else
     rows.add("triangles", grouped(report.mesh.triangles));
-  rows.add("vertices", fmt::format("{} ({})", grouped(report.mesh.vertices), origins(mesh)));
+  rows.add("vertices", fmt::format("{} ({})", grouped(report.mesh.vertices), origins_of(report, mesh)));
   add_quality(rows, report);
   rows.add("time", times(report.seconds));
   const char* name = "written";
   for (const std::string& file : files) rows.add(std::exchange(name, ""), file);
   text += '\n' + rows.text();
-  if (const std::string unmet = unmet_table(report.outcome); !unmet.empty()) text += "\nunmet\n" + unmet;
+  if (const std::string unmet = unmet_table(report); !unmet.empty()) text += "\nunmet\n" + unmet;
   return text + '\n' + verdict(report) + '\n';
+}
+
+template <class Report>
+std::string missing_of(const Report& report) {
+  return report.surface ? missing_parts(*report.surface) : std::string();
 }
 
 }  // namespace
@@ -177,7 +194,7 @@ std::string summary_of(const Report& report, const Mesh& mesh, const std::vector
 template <class Report>
 ExitCode exit_code(const Report& report, bool strict) {
   if (report.outcome.stopped == Stop::token) return ExitCode::interrupted;
-  if (report.outcome.stopped || !report.conforms) return ExitCode::unmet;
+  if (report.outcome.stopped || !report.conforms || !missing_of(report).empty()) return ExitCode::unmet;
   const std::size_t tolerated = strict ? 0 : forced(report.outcome);
   return report.outcome.unmet.size() > tolerated ? ExitCode::unmet : ExitCode::ok;
 }
@@ -193,7 +210,14 @@ std::string verdict(const Report& report) {
   if (outcome.stopped)
     return fmt::format("{}: the mesh is valid but not finished; {} a criterion.", sentence(report.options, *outcome.stopped),
                        unmet_elements(outcome, " misses", " miss"));
-  if (unmet == 0) return "Every criterion is met.";
+  if (const std::string missing = missing_of(report); !missing.empty())
+    return fmt::format("NOT the whole surface is in the mesh: it lacks {}, thinner or smaller than the facets there. A smaller --facet-size, or "
+                       "--smallest-facet, may bring them in.{}",
+                       missing, unmet > 0 ? fmt::format(" Besides, {} a criterion.", unmet_elements(outcome, " misses", " miss")) : "");
+  if (unmet == 0) {
+    const std::string doubt = report.surface ? doubt_about_components(*report.surface) : std::string();
+    return doubt.empty() ? "Every criterion is met." : "Every criterion is met, but " + doubt;
+  }
   if (unmet == excused)
     return fmt::format("Every criterion is met, but for {} where small angles of the input make that impossible.",
                        unmet_elements(outcome, "", ""));
@@ -201,11 +225,12 @@ std::string verdict(const Report& report) {
                      excused > 0 ? fmt::format(" ({} of them because of small input angles)", grouped(excused)) : "");
 }
 
-template <class Point>
-std::string unmet_table(const Outcome<Point>& outcome) {
+template <class Report>
+std::string unmet_table(const Report& report) {
+  const auto& outcome = report.outcome;
   struct Group {
     std::size_t count = 0;
-    Point first;
+    std::remove_cvref_t<decltype(outcome.unmet.front().place)> first;
   };
   std::map<std::tuple<Reason, LevelIndex, std::string>, Group> groups;
   for (const auto& unmet : outcome.unmet) {
@@ -214,7 +239,7 @@ std::string unmet_table(const Outcome<Point>& outcome) {
   }
   std::string text;
   for (const auto& [key, group] : groups)
-    text += fmt::format("{:>9}  {}: {}; {} {}\n", grouped(group.count), std::get<2>(key), because(std::get<0>(key)),
+    text += fmt::format("{:>9}  {}: {}; {} {}\n", grouped(group.count), std::get<2>(key), because(std::get<0>(key), report.surface.has_value()),
                         group.count == 1 ? "at" : "one is at", at(group.first));
   if (const std::size_t more = unmet_elements(outcome) - outcome.unmet.size(); more > 0)
     text += fmt::format("{:>9}  more that were not reached\n", grouped(more));
@@ -232,7 +257,7 @@ template ExitCode exit_code(const RunReport&, bool);
 template ExitCode exit_code(const PolyhedralRunReport&, bool);
 template std::string verdict(const RunReport&);
 template std::string verdict(const PolyhedralRunReport&);
-template std::string unmet_table(const Outcome<Point2>&);
-template std::string unmet_table(const Outcome<Point3>&);
+template std::string unmet_table(const RunReport&);
+template std::string unmet_table(const PolyhedralRunReport&);
 
 }  // namespace delref::program

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include <delref/core/outcome.hpp>
 #include <delref/io/report.hpp>
 #include <delref/mesh/planar_mesh.hpp>
 #include <delref/mesh/tetrahedral_mesh.hpp>
@@ -24,8 +23,8 @@ template <class Report>
 std::string verdict(const Report& report);
 
 /// What is unmet, a line for each criterion and reason; empty when nothing is.
-template <class Point>
-std::string unmet_table(const Outcome<Point>& outcome);
+template <class Report>
+std::string unmet_table(const Report& report);
 
 /// The whole summary of a run: counts, quality, notes, what is unmet, files, verdict.
 std::string summary(const RunReport& report, const PlanarMesh& mesh, const std::vector<std::string>& files);

@@ -10,17 +10,17 @@
 #include <fmt/format.h>
 
 #include <delref/core/budget.hpp>
-#include <delref/io/polyhedral_formats.hpp>
 #include <delref/io/report_json.hpp>
 
 #include "commands.hpp"
 #include "files.hpp"
+#include "input_kind.hpp"
 #include "interrupt.hpp"
-#include "option_dimension.hpp"
 #include "planar_run.hpp"
 #include "polyhedral_run.hpp"
 #include "progress.hpp"
 #include "size_points.hpp"
+#include "smooth_run.hpp"
 #include "words.hpp"
 
 namespace delref::program {
@@ -55,6 +55,18 @@ std::string shape_text(const ReportedOptions& o, Space) {
   return text;
 }
 
+std::string shape_text(const ReportedOptions& o, Smooth) {
+  const ReportedSmoothOptions& s = *o.smooth;
+  std::string text = s.facet_angle_degrees > 0 ? fmt::format("facet angles of at least {:g} degrees", s.facet_angle_degrees) : "any facet angles";
+  if (s.facet_size) text += fmt::format(", facets of at most {:g}", *s.facet_size);
+  if (s.facet_distance) text += fmt::format(", at most {:g} from the surface", *s.facet_distance);
+  if (s.surface_only) return text;
+  text += fmt::format(", radius-edge ratios of at most {:g}", o.radius_edge);
+  if (o.cell_size) text += fmt::format(", circumradii of at most {:g}", *o.cell_size);
+  for (const auto& [label, size] : s.region_cell_sizes) text += fmt::format(", in region {} at most {:g}", label, size);
+  return text;
+}
+
 /// What the mesh is held against, in one line.
 template <class Kind>
 std::string promise_text(const ReportedOptions& o, bool complete) {
@@ -66,15 +78,31 @@ std::string promise_text(const ReportedOptions& o, bool complete) {
 
 template <class Point>
 BasicPromise<Point> promise_of(const VerifyArguments& arguments, const Control& control) {
-  if (!arguments.report.empty()) return read_promise<Point>(arguments.report, control);
+  if (!arguments.report.empty()) {
+    auto promise = read_promise<Point>(arguments.report, control);
+    if (promise.options.smooth.has_value() != arguments.options.smooth.has_value())
+      throw InvalidInput(fmt::format("{}: is not the report of a run on such an input as {}", arguments.report, arguments.input));
+    return promise;
+  }
   BasicPromise<Point> promise;
   promise.options = arguments.options;
   promise.complete = true;
   return promise;
 }
 
+template <class Domain>
+std::string input_text(const std::string& file, const Domain&) {
+  return file;
+}
+std::string input_text(const std::string& file, const SmoothDomain& domain) {
+  return file.empty() ? domain.words : fmt::format("{}, {}", file, domain.words);
+}
+
 std::string elements_text(const PlanarMesh& mesh) { return counted(mesh.triangles.size(), "triangle", "triangles"); }
-std::string elements_text(const TetrahedralMesh& mesh) { return counted(mesh.tetrahedra.size(), "tetrahedron", "tetrahedra"); }
+std::string elements_text(const TetrahedralMesh& mesh) {
+  if (mesh.tetrahedra.empty()) return counted(mesh.triangles.size(), "triangle", "triangles");
+  return counted(mesh.tetrahedra.size(), "tetrahedron", "tetrahedra");
+}
 
 template <class Kind>
 ExitCode verify(const VerifyArguments& arguments, const Control& control, Progress& progress) {
@@ -82,26 +110,42 @@ ExitCode verify(const VerifyArguments& arguments, const Control& control, Progre
   const ReportedOptions& options = promise.options;
   progress.begin("reading");
   std::vector<std::string> notes;
-  auto input = read_domain<typename Kind::Domain>(arguments.input, control, notes);
+  auto input = read_domain<typename Kind::Domain>(arguments.input, options, control, notes);
   const auto mesh = read_mesh<typename Kind::Mesh>(arguments.mesh, control);
   auto criteria = Kind::criteria(options);
   if (!options.size_points_file.empty())
-    criteria.size = read_size_points<typename Kind::Point>(find_size_points(options.size_points_file, arguments.report),
-                                                           options.gradation, control);
+    Kind::promise_sizes(criteria, read_size_points<typename Kind::Point>(find_size_points(options.size_points_file, arguments.report),
+                                                                         options.gradation, control));
   criteria.complete = promise.complete;
   criteria.listed = std::move(promise.unmet);
+  if constexpr (requires { criteria.missed_components; }) criteria.missed_components = promise.missed_components;
   progress.begin("verifying");
+  const std::string input_words = input_text(arguments.input, input);
+  std::string chosen;
+  if constexpr (requires { settle_sizes(criteria, promise.facet_sizes, input, control); })
+    chosen = settle_sizes(criteria, promise.facet_sizes, input, control);
   const VerifyReport report = run_verification(std::move(input), mesh, std::move(criteria), options, control);
   progress.finish();
   fmt::print("mesh      {}: {}, {}\n", arguments.mesh, elements_text(mesh), counted(mesh.points.size(), "vertex", "vertices"));
-  fmt::print("input     {}\npromised  {}\n\n{}", arguments.input, promise_text<Kind>(options, promise.complete), verify_table(report));
+  fmt::print("input     {}\npromised  {}\n", input_words, promise_text<Kind>(options, promise.complete));
+  if (!chosen.empty()) fmt::print("sizes     {}\n", chosen);
+  fmt::print("\n{}", verify_table(report));
   return report.ok() ? ExitCode::ok : ExitCode::verification_failed;
 }
 
-ExitCode verify(const VerifyArguments& arguments, const Control& control, Progress& progress) {
-  const Dimension dimension = dimension_of(arguments.input, control);
-  refuse_options_of_the_other_dimension(arguments.given, dimension, arguments.input, "verify");
-  if (dimension == Dimension::plane) return verify<Plane>(arguments, control, progress);
+/// What the report of a run on a smooth domain says, or else the command line.
+ReportedSmoothOptions smooth_options_of(const VerifyArguments& arguments, const Control& control) {
+  if (arguments.report.empty()) return arguments.smooth;
+  return reported_smooth_options(arguments.report, control).value_or(ReportedSmoothOptions{});
+}
+
+ExitCode verify(VerifyArguments arguments, const Control& control, Progress& progress) {
+  const ReportedSmoothOptions smooth = smooth_options_of(arguments, control);
+  const InputKind kind = kind_of_input(arguments.input, smooth, control);
+  refuse_options_of_other_kinds(arguments.given, kind, name_of_input(arguments.input, smooth), "verify");
+  if (is_smooth(kind)) arguments.options.smooth = smooth;
+  if (is_smooth(kind)) return verify<Smooth>(arguments, control, progress);
+  if (kind == InputKind::plane) return verify<Plane>(arguments, control, progress);
   return verify<Space>(arguments, control, progress);
 }
 

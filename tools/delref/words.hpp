@@ -3,8 +3,10 @@
 // How the program spells numbers for people.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -24,6 +26,14 @@ inline std::string grouped(std::size_t number) {
 /// "1 triangle", "1,234 triangles".
 inline std::string counted(std::size_t number, const char* one, const char* many) {
   return grouped(number) + ' ' + (number == 1 ? one : many);
+}
+
+/// "3, 7, 9", and "and 5 more" after so many that they fill a line.
+inline std::string list_of(const std::vector<int>& labels) {
+  constexpr std::size_t most = 20;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(labels.size(), most); ++i) text += (i > 0 ? ", " : "") + std::to_string(labels[i]);
+  return labels.size() > most ? fmt::format("{} and {} more", text, labels.size() - most) : text;
 }
 
 /// "0.004 s", "12.3 s".

@@ -16,8 +16,8 @@ namespace delref {
 inline void check_polyhedral_options(const PolyhedralOptions& options) {
   if (!(options.radius_edge >= 1))
     throw InvalidInput("the bound on the radius-edge ratio is " + describe(options.radius_edge) +
-                       ": give a number of at least 1, for refinement under that bound would never end; 2 is proven to be reached, " +
-                       "1.4 nearly always is, infinity is no bound");
+                       ": give a number of at least 1, for refinement under that bound would never end; 2 is reached where no input angle is " +
+                       "under 90 degrees, 1.4 nearly always, infinity is no bound");
   const auto check_size = [](double bound, const char* what, const char* unit) {
     if (!(bound > 0))
       throw InvalidInput(std::string(what) + " is " + describe(bound) + ": give a number greater than 0 in " + unit +

@@ -29,10 +29,13 @@ struct PolyhedralResult {
 /// Meshes the domain of a piecewise linear complex so that every criterion of the options is met, or says of every tetrahedron that
 /// does not meet them why. Observers see the run (`core/observer.hpp`).
 ///
-/// The mesh is Delaunay; every segment of the input is a chain of its edges and every facet a disk of its triangles. Ends by proof
-/// for a radius-edge bound of 2 where no two input elements meet under 90 degrees (Shewchuk 1998), and for every input by the budget
-/// of the control at the latest. When that comes before all segments and facets are in the triangulation, the outcome lists what is
-/// missing.
+/// The mesh is Delaunay; every segment of the input is a chain of its edges and every facet a disk of its triangles. Ends for
+/// every input, by the budget of the control at the latest. When that comes before all segments and facets are in the triangulation,
+/// the outcome lists what is missing.
+///
+/// That a radius-edge bound of 2 is reached where no two input elements meet under 90 degrees is experience here. Shewchuk (1998)
+/// proves it for diametral balls of subsegments and subfacets that are empty of every vertex; this function only keeps subsegments and
+/// subfacets present, and the points inside regions out of their balls (`ConformingOptions::gabriel` asks for the rest).
 ///
 /// Throws `InvalidInput` when the input cannot be meshed, with every defect named, or when no mesh can meet the options; and
 /// `Interrupted` when the control says stop before there is a triangulation.

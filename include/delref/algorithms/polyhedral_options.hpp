@@ -13,8 +13,8 @@ namespace delref {
 
 /// Options of `mesh_polyhedron`. Lengths are in the unit of the input, volumes in its cube.
 struct PolyhedralOptions {
-  /// Bound on the circumradius of a tetrahedron over its shortest edge; at least 1. 2 ends by proof where no input angle is under 90
-  /// degrees; smaller bounds are experience.
+  /// Bound on the circumradius of a tetrahedron over its shortest edge; at least 1. `mesh_polyhedron` says what is known of bounds
+  /// that are reached.
   double radius_edge = 2;
   double max_volume = std::numeric_limits<double>::infinity();
   /// Bound on the circumradius.

@@ -18,8 +18,8 @@
 //
 // Laws that no compiler checks, and `delref/testing/laws.hpp` does:
 //  - scan_triangulation makes the set exactly the elements that violate the rule, whatever it held before;
-//  - an element that dies leaves the set in before_insertion, and one that is new and violates the rule enters it in
-//    after_insertion;
+//  - an element that dies leaves the set in before_insertion, or in after_insertion at the latest where the triangulation does not
+//    store it and the level tells by `holds` that it is gone; one that is new and violates the rule enters it in after_insertion;
 //  - who answers `rejected` to a point of another level has put the encroached element into its own set, and never answers
 //    `rejected` to its own points;
 //  - `rejected_forever` puts nothing into any set;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 
 #include <delref/core/proposal.hpp>
@@ -56,6 +57,9 @@ consteval bool explain_optional_members() {
   static_assert(!requires { &L::unmet_criterion; } ||
                     requires(const L& level, const Tr& tr, const E& e) { level.unmet_criterion(tr, e); },
                 "the member `unmet_criterion` of a level is passed over: it must be callable as unmet_criterion(const tr, element) const");
+  static_assert(!requires { &L::holds; } ||
+                    requires(const L& level, const Tr& tr, std::span<const typename Tr::Vertex> vertices) { level.holds(tr, vertices); },
+                "the member `holds` of a level is passed over: it must be callable as holds(const tr, span of vertices) const");
   static_assert(!requires { &L::queued; } || requires(const L& level) { std::size_t{level.queued()}; },
                 "the member `queued` of a level is passed over: it must be callable as queued() const and give a std::size_t");
   return true;

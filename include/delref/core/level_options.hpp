@@ -16,7 +16,7 @@
 //   rejection_reason() const                 why it last answered rejected_forever               default: rejected_by_level
 //   unmet_criterion(tr, e)                   the name of what e violates                         default: the level's name
 //   for_each_queued(f)                       calls f(e) for each element still in its set        default: not listed
-//   holds(tr, vertices) const                whether the element of these vertices is still its   default: tr.is_simplex(vertices)
+//   holds(tr, vertices) const                whether an element it gave up is still its own      default: tr.is_simplex(vertices)
 //   queued() const                           how many elements are in its set, in O(1)           default: 1 unless empty
 #pragma once
 

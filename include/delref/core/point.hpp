@@ -69,4 +69,8 @@ struct Point3 {
   friend bool is_finite(Point3 a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 };
 
+/// A bound on how far rounding may put a computed point from where it should be.
+inline double rounding_near(Point2 p) { return 4e-16 * (std::abs(p.x) + std::abs(p.y)); }
+inline double rounding_near(Point3 p) { return 4e-16 * (std::abs(p.x) + std::abs(p.y) + std::abs(p.z)); }
+
 }  // namespace delref

@@ -4,41 +4,27 @@
 // sizing field. A criterion of your own is a struct with `is_met(const TetrahedronShape&) const` and a name.
 #pragma once
 
-#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <span>
 #include <string_view>
-#include <tuple>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
+#include <delref/criteria/simplex_criteria.hpp>
 #include <delref/criteria/sizing_field.hpp>
 #include <delref/criteria/tetrahedron_shape.hpp>
 #include <delref/domain/plc.hpp>
 
 namespace delref {
 
-/// A requirement on tetrahedra:
-///  1. `is_met(shape)`, for a constant criterion, says whether a tetrahedron meets it;
-///  2. `name` is what reports call it;
-///  3. `bounds_size`, a constant, says that every small enough tetrahedron meets it. Such a criterion is always enforced; others
-///     give way where a small input angle makes them impossible.
+/// A requirement on tetrahedra; `SimplexCriterion` says what it needs.
 template <class C>
-concept TetrahedronCriterion = std::copy_constructible<C> && requires(const C& criterion, const TetrahedronShape& shape) {
-  { criterion.is_met(shape) } -> std::same_as<bool>;
-  { C::name } -> std::convertible_to<std::string_view>;
-  { C::bounds_size } -> std::convertible_to<bool>;
-};
+concept TetrahedronCriterion = SimplexCriterion<C, TetrahedronShape>;
 
 /// Fails to compile with a sentence when `C` is no criterion.
 template <class C>
 consteval bool explain_tetrahedron_criterion() {
-  static_assert(TetrahedronCriterion<C>,
-                "a tetrahedron criterion needs: is_met(shape) const that gives bool for a delref::TetrahedronShape, a static constexpr "
-                "name, and a static constexpr bool bounds_size; and to be copy constructible");
-  return TetrahedronCriterion<C>;
+  return explain_criterion<TetrahedronShape, C>();
 }
 
 /// The circumradius is at most `bound` times the shortest edge.
@@ -83,6 +69,17 @@ struct MaximumCircumradius {
   bool is_met(const TetrahedronShape& t) const { return t.squared_circumradius <= bound * bound; }
 };
 
+/// No tetrahedron of a region has a greater circumradius than that region's own bound; a bound of 0 is none.
+struct MaximumRegionCircumradius {
+  static constexpr std::string_view name = "cell size of the region";
+  static constexpr bool bounds_size = true;
+  std::vector<double> bounds;
+  bool is_met(const TetrahedronShape& t) const {
+    const auto region = static_cast<std::size_t>(t.region);
+    return region >= bounds.size() || !(bounds[region] > 0) || t.squared_circumradius <= bounds[region] * bounds[region];
+  }
+};
+
 /// No circumradius is greater than the field's value at the circumcentre.
 template <class Field>
 struct SizeAtCircumcentre {
@@ -98,37 +95,8 @@ struct SizeAtCircumcentre {
 template <class Field>
 SizeAtCircumcentre(Field) -> SizeAtCircumcentre<Field>;
 
-/// All of several criteria. This is what a tetrahedra level takes.
+/// All of several criteria. This is what a tetrahedra level takes: `TetrahedronCriteria criteria(RadiusEdge{2}, MaximumVolume{0.1});`
 template <class... Criteria>
-class TetrahedronCriteria {
-  static_assert((explain_tetrahedron_criterion<Criteria>() && ...));
-
- public:
-  explicit TetrahedronCriteria(Criteria... criteria) : criteria_(std::move(criteria)...) {}
-
-  bool is_met(const TetrahedronShape& t) const {
-    return std::apply([&](const auto&... c) { return (c.is_met(t) && ...); }, criteria_);
-  }
-  /// Whether every criterion that bounds the size is met.
-  bool is_small_enough(const TetrahedronShape& t) const {
-    return std::apply([&](const auto&... c) { return ((!std::remove_cvref_t<decltype(c)>::bounds_size || c.is_met(t)) && ...); },
-                      criteria_);
-  }
-  /// The name of the first criterion that is not met, those that bound the size first; empty when all are.
-  std::string_view unmet(const TetrahedronShape& t) const {
-    std::string_view size, shape;
-    std::apply(
-        [&](const auto&... c) {
-          ((c.is_met(t) ? void() : void((std::remove_cvref_t<decltype(c)>::bounds_size ? size : shape) =
-                                            std::remove_cvref_t<decltype(c)>::name)),
-           ...);
-        },
-        criteria_);
-    return size.empty() ? shape : size;
-  }
-
- private:
-  std::tuple<Criteria...> criteria_;
-};
+using TetrahedronCriteria = SimplexCriteria<TetrahedronShape, Criteria...>;
 
 }  // namespace delref

@@ -8,6 +8,7 @@
 #include <cstddef>
 
 #include <delref/core/point.hpp>
+#include <delref/criteria/circumcentre.hpp>
 
 namespace delref {
 
@@ -40,12 +41,11 @@ struct TetrahedronShape {
     double largest = 0;
     Point3 centre;
     for (std::size_t i = 0; i < 4; ++i) {
-      const Point3 a = corners[i];
-      const Vector3 u = corners[(i + 1) % 4] - a, v = corners[(i + 2) % 4] - a, n = cross(u, v);
-      const double nn = squared_length(n);
-      if (!(nn > largest)) continue;
-      largest = nn;
-      centre = a + (0.5 / nn) * (squared_length(v) * cross(n, u) + squared_length(u) * cross(v, n));
+      const Vector3 u = corners[(i + 1) % 4] - corners[i], v = corners[(i + 2) % 4] - corners[i];
+      const double area = squared_length(cross(u, v));
+      if (!(area > largest)) continue;
+      largest = area;
+      centre = corners[i] + to_circumcentre(u, v);
     }
     return centre;
   }

@@ -4,42 +4,28 @@
 // field. A criterion of your own is a struct with `is_met(const TriangleShape&) const` and a name.
 #pragma once
 
-#include <concepts>
+#include <cstddef>
 #include <limits>
 #include <span>
 #include <string_view>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 #include <delref/criteria/angle_bound.hpp>
+#include <delref/criteria/simplex_criteria.hpp>
 #include <delref/criteria/sizing_field.hpp>
 #include <delref/criteria/triangle_shape.hpp>
 #include <delref/domain/pslg.hpp>
 
 namespace delref {
 
-/// A requirement on triangles:
-///  1. `is_met(shape)`, for a constant criterion, says whether a triangle meets it;
-///  2. `name` is what reports call it;
-///  3. `bounds_size`, a constant, says that every small enough triangle meets it. Such a criterion is always enforced; others
-///     give way where a small input angle makes them impossible.
-/// The smallest model: `struct Flat { static constexpr std::string_view name = "flat"; static constexpr bool bounds_size = false;
-/// bool is_met(const TriangleShape&) const; };`
+/// A requirement on triangles; `SimplexCriterion` says what it needs.
 template <class C>
-concept TriangleCriterion = std::copy_constructible<C> && requires(const C& criterion, const TriangleShape& shape) {
-  { criterion.is_met(shape) } -> std::same_as<bool>;
-  { C::name } -> std::convertible_to<std::string_view>;
-  { C::bounds_size } -> std::convertible_to<bool>;
-};
+concept TriangleCriterion = SimplexCriterion<C, TriangleShape>;
 
 /// Fails to compile with a sentence when `C` is no criterion.
 template <class C>
 consteval bool explain_triangle_criterion() {
-  static_assert(TriangleCriterion<C>,
-                "a triangle criterion needs: is_met(shape) const that gives bool for a delref::TriangleShape, a static constexpr "
-                "name, and a static constexpr bool bounds_size; and to be copy constructible");
-  return TriangleCriterion<C>;
+  return explain_criterion<TriangleShape, C>();
 }
 
 /// No angle is smaller than the bound.
@@ -105,37 +91,8 @@ struct SizeAtCentroid {
 template <class Field>
 SizeAtCentroid(Field) -> SizeAtCentroid<Field>;
 
-/// All of several criteria. This is what a faces level takes.
+/// All of several criteria. This is what a faces level takes: `TriangleCriteria criteria(MinimumAngle{}, MaximumArea{0.1});`
 template <class... Criteria>
-class TriangleCriteria {
-  static_assert((explain_triangle_criterion<Criteria>() && ...));
-
- public:
-  explicit TriangleCriteria(Criteria... criteria) : criteria_(std::move(criteria)...) {}
-
-  bool is_met(const TriangleShape& t) const {
-    return std::apply([&](const auto&... c) { return (c.is_met(t) && ...); }, criteria_);
-  }
-  /// Whether every criterion that bounds the size is met.
-  bool is_small_enough(const TriangleShape& t) const {
-    return std::apply([&](const auto&... c) { return ((!std::remove_cvref_t<decltype(c)>::bounds_size || c.is_met(t)) && ...); },
-                      criteria_);
-  }
-  /// The name of the first criterion that is not met, those that bound the size first; empty when all are.
-  std::string_view unmet(const TriangleShape& t) const {
-    std::string_view size, shape;
-    std::apply(
-        [&](const auto&... c) {
-          ((c.is_met(t) ? void() : void((std::remove_cvref_t<decltype(c)>::bounds_size ? size : shape) =
-                                            std::remove_cvref_t<decltype(c)>::name)),
-           ...);
-        },
-        criteria_);
-    return size.empty() ? shape : size;
-  }
-
- private:
-  std::tuple<Criteria...> criteria_;
-};
+using TriangleCriteria = SimplexCriteria<TriangleShape, Criteria...>;
 
 }  // namespace delref

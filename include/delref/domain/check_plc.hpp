@@ -15,6 +15,7 @@
 #include <delref/domain/invalid_input.hpp>
 #include <delref/domain/join_coplanar.hpp>
 #include <delref/domain/loose_vertices.hpp>
+#include <delref/domain/needle_facets.hpp>
 #include <delref/domain/plc.hpp>
 #include <delref/domain/plc_angles.hpp>
 #include <delref/domain/plc_closure.hpp>
@@ -131,6 +132,8 @@ inline PolyhedralDomain check_plc(Plc input, const PlcOptions& options = {}, con
     std::vector<std::string> told_before;
     triangulated_plc::triangulate_facets(plc, input, names, control, defects, told_before);
   }
+  find_needle_facets(plc, names, defects);
+  refuse(defects);
   find_intersections(plc, names, control, defects);
   check_closure(plc, SegmentWedges(plc), names, control, defects, notes);
   refuse(defects);

@@ -61,8 +61,10 @@ class FacetHinges {
       for (const Index f : facets_of_[carrier.index])
         if (const Index s = hinges_.find(SimplexTable<2>::key(f, facet)); s != hinges_.none) return turned(p, s, facet);
     }
+    // Not by the coordinates in the plane: for facets side by side that are upright, this rounds in one coordinate only, and the
+    // counterpart is exactly opposite.
     const PlaneFrame& frame = domain_->facets[facet].frame;
-    return frame.lift(frame.project(p));
+    return p + -frame.height(p) * frame.normal;
   }
 
  private:

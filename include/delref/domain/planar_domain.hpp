@@ -85,8 +85,6 @@ struct PlanarDomain {
     return false;
   }
 
-  /// A bound on how far rounding may put a point from where it should be.
-  static double rounding_near(Point2 p) { return 4e-16 * (std::abs(p.x) + std::abs(p.y)); }
 
   /// Whether a vertex at `p` is on a circle around a sharp corner of segment `s` together with `q`, a point of `s`, as far as
   /// rounding lets one tell. On segments that meet under 1e-7 degrees such vertices would encroach each other's subsegments by

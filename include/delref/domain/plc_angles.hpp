@@ -106,7 +106,6 @@ class AngleSearch {
     Index segment = 0, other_end = 0;
     Vector3 direction;
     bool is_real = true;
-    bool is_sharp = false;
     double nearest_apart = 4;  ///< the squared distance of its tip from that of the nearest real ray
     Index nearest = 0;         ///< the position of that ray
   };
@@ -141,13 +140,12 @@ class AngleSearch {
   void compare_rays(Index v) {
     const bool list_all = rays_.size() <= many;
     const std::size_t reach = rays_.size() <= crowd ? rays_.size() : crowd;
-    constexpr double under_60 = 1 - 1e-6, under_90 = 2;
+    constexpr double under_90 = 2;
     for (Index i = 0; i < rays_.size(); ++i)
       for (Index j = i + 1; j < std::min<std::size_t>(rays_.size(), i + reach); ++j) {
         Ray &one = rays_[i], &other = rays_[j];
         const double apart = squared_length(one.direction - other.direction);
         if (apart >= under_90) continue;
-        if (apart < under_60) one.is_sharp = other.is_sharp = true;
         if (!one.is_real || !other.is_real) continue;
         if (list_all) list_segments(v, one, other);
         if (apart < one.nearest_apart) one.nearest_apart = apart, one.nearest = j;
@@ -155,13 +153,10 @@ class AngleSearch {
       }
     for (Index i = 0; i < rays_.size(); ++i) {
       const Ray& ray = rays_[i];
-      if (ray.is_sharp) mark_sharp(v, ray.segment);
       if (!list_all && ray.nearest_apart < under_90 && (rays_[ray.nearest].nearest != i || i < ray.nearest))
         list_segments(v, ray, rays_[ray.nearest]);
     }
   }
-
-  void mark_sharp(Index v, Index s) { domain_.segments[s].sharp[plc_.segments[s][0] == v ? 0 : 1] = true; }
 
   void list_segments(Index v, const Ray& one, const Ray& other) {
     const double degrees = angle_between(one.direction, other.direction);
@@ -212,7 +207,7 @@ class AngleSearch {
 
 }  // namespace plc_angles
 
-/// Fills `small_angles`, the `sharp` ends of segments and `gabriel` of facets of a domain whose segments and facets are those of
+/// Fills `small_angles` and `gabriel` of facets of a domain whose segments and facets are those of
 /// the complex. O(n log n) where vertices have few segments.
 inline void find_small_angles(const TriangulatedPlc& plc, const SegmentWedges& wedges, PolyhedralDomain& domain,
                               const Control& control) {

@@ -38,8 +38,6 @@ struct PolyhedralDomain {
   struct Segment {
     std::array<Index, 2> ends{};
     int marker = 0;
-    /// Per end: another segment meets it there under 60 degrees.
-    std::array<bool, 2> sharp{};
   };
 
   /// A facet: a connected or unconnected part of a plane, bounded by segments.
@@ -82,9 +80,6 @@ struct PolyhedralDomain {
   /// All coordinates here are those of the input times 2^scale, which is exact, and volume bounds times 8^scale; 0 unless the
   /// coordinates of the input are beyond 2^60 or all below 2^-60.
   int scale = 0;
-
-  /// A bound on how far rounding may put a point from where it should be.
-  static double rounding_near(Point3 p) { return 4e-16 * (std::abs(p.x) + std::abs(p.y) + std::abs(p.z)); }
 };
 
 }  // namespace delref

@@ -82,7 +82,7 @@ class SharpCorners {
       if (!is_sharp(s, end)) continue;
       const double d = std::sqrt(squared_distance(corner(s, end), p));
       const double difference = std::abs(d - std::sqrt(squared_distance(corner(s, end), q)));
-      if (difference <= 1e-12 * d + PolyhedralDomain::rounding_near(p) && is_on_segment_of(a, domain_->segments[s].ends[end])) return true;
+      if (difference <= 1e-12 * d + rounding_near(p) && is_on_segment_of(a, domain_->segments[s].ends[end])) return true;
     }
     return false;
   }

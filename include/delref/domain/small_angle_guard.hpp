@@ -13,6 +13,7 @@
 #include <delref/core/carrier.hpp>
 #include <delref/core/point.hpp>
 #include <delref/domain/polyhedral_domain.hpp>
+#include <delref/domain/thin_places.hpp>
 #include <delref/triangulation/simplex_table.hpp>
 
 namespace delref {
@@ -23,7 +24,7 @@ class SmallAngleGuard {
  public:
   using Index = PolyhedralDomain::Index;
 
-  explicit SmallAngleGuard(const PolyhedralDomain& domain) : domain_(&domain) {
+  explicit SmallAngleGuard(const PolyhedralDomain& domain) : domain_(&domain), thin_places_(domain) {
     for (const PolyhedralDomain::SmallAngle& angle : domain.small_angles) {
       using Kind = PolyhedralDomain::SmallAngle::Kind;
       const bool first_is_facet = angle.kind == Kind::facets, second_is_facet = angle.kind != Kind::segments;
@@ -32,6 +33,7 @@ class SmallAngleGuard {
     collect_incidence(domain);
   }
 
+  const ThinPlaces& thin_places() const { return thin_places_; }
   /// Whether two vertices lie on two input elements that meet under a small angle.
   bool meet(Carrier a, Carrier b) const {
     if (a == b || std::max(a.dimension, b.dimension) == 3) return false;
@@ -83,6 +85,7 @@ class SmallAngleGuard {
   }
 
   const PolyhedralDomain* domain_;
+  ThinPlaces thin_places_;
   SimplexTable<2> pairs_;
   std::vector<std::size_t> first_facet_;
   std::vector<Index> facets_;

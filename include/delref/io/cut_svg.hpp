@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Draws a tetrahedral mesh cut open: the tetrahedra on the near side of a plane are taken away, and the faces of the others are drawn
-// from behind to the front (the painter's algorithm), shaded by their direction. What others hide is found beforehand on a raster,
-// and left out, so that the file is as large as what is seen of the mesh.
+// from behind to the front (the painter's algorithm), shaded by their direction. Of a mesh without tetrahedra its triangles are drawn.
+// What others hide is found beforehand on a raster, and left out, so that the file is as large as what is seen of the mesh.
 #pragma once
 
 #include <algorithm>
@@ -55,7 +55,8 @@ class CutPicture {
     for (const int label : mesh.regions) ranks_.try_emplace(label, 0);
     std::size_t rank = 0;
     for (auto& [label, place] : ranks_) place = rank++;
-    collect_faces();
+    if (mesh.tetrahedra.empty()) collect_triangles();
+    else collect_faces();
   }
 
   std::string draw() {
@@ -150,18 +151,37 @@ class CutPicture {
       while (end < sides.size() && sides[end].sorted == sides[i].sorted) ++end;
       const bool is_pair = end - i == 2;
       for (std::size_t k = i; k < end; ++k)
-        if (sides[k].kept && !(is_pair && sides[2 * i + 1 - k].kept)) add_face(sides[k].corners, sides[k].tetrahedron, is_pair);
+        if (sides[k].kept && !(is_pair && sides[2 * i + 1 - k].kept)) add_face(sides[k].corners, rank_of(sides[k].tetrahedron), is_pair);
       i = end;
     }
     std::ranges::stable_sort(faces_, {}, &Face::depth);
   }
-  void add_face(const std::array<std::uint32_t, 3>& corners, std::uint32_t tetrahedron, bool is_cut) {
+  std::size_t rank_of(std::uint32_t tetrahedron) const {
+    return mesh_.regions.empty() ? 0 : std::min<std::size_t>(ranks_.at(mesh_.regions[tetrahedron]), 1000);
+  }
+  /// Of a surface alone, both sides of the triangles behind the plane, or of all when none is: the inner side as a cut is.
+  void collect_triangles() {
+    const auto is_behind = [&](const std::array<std::uint32_t, 3>& t) {
+      double sum = 0;
+      for (const auto i : t) sum += dot(points_[i] - Point3{}, normal_);
+      return sum <= 3 * cut_;
+    };
+    const bool all = std::ranges::none_of(mesh_.triangles, is_behind);
+    StopCheck check(control_);
+    for (const auto& t : mesh_.triangles) {
+      check();
+      if (!all && !is_behind(t)) continue;
+      add_face(t, 0, false);
+      add_face({t[0], t[2], t[1]}, 0, true);
+    }
+    std::ranges::stable_sort(faces_, {}, &Face::depth);
+  }
+  void add_face(const std::array<std::uint32_t, 3>& corners, std::size_t rank, bool is_cut) {
     const Point3 a = points_[corners[0]], b = points_[corners[1]], c = points_[corners[2]];
     const Vector3 n = cross(b - a, c - a);
     if (!(dot(n, towards_) > 0)) return;
     const double length = std::sqrt(squared_length(n)), light = std::max(0.0, dot(n, light_) / length);
     const auto shade = static_cast<std::uint16_t>(std::lround(light * (shades - 1)));
-    const std::size_t rank = mesh_.regions.empty() ? 0 : std::min<std::size_t>(ranks_.at(mesh_.regions[tetrahedron]), 1000);
     const double depth = dot(a - Point3{}, towards_) + dot(b - Point3{}, towards_) + dot(c - Point3{}, towards_);
     faces_.push_back({corners, depth, static_cast<std::uint16_t>((2 * rank + (is_cut ? 1 : 0)) * shades + shade)});
   }
@@ -227,7 +247,8 @@ class CutPicture {
       }
       out += fmt::format("<path fill=\"{}\" d=\"{}\"/>\n", fill(colour).hex(), path.text());
     }
-    const std::string counts = fmt::format("{} tetrahedra, {} vertices", mesh_.tetrahedra.size(), mesh_.points.size());
+    const std::string counts = mesh_.tetrahedra.empty() && !mesh_.triangles.empty() ? fmt::format("{} triangles, {} vertices", mesh_.triangles.size(), mesh_.points.size())
+                                                        : fmt::format("{} tetrahedra, {} vertices", mesh_.tetrahedra.size(), mesh_.points.size());
     out += fmt::format("</g>\n<text x=\"20\" y=\"{:.0f}\" font-size=\"13\" fill=\"#22303a\">{}</text>\n</svg>\n", frame.height() + 10,
                        escaped(options_.title.empty() ? counts : options_.title));
     return out;

@@ -16,6 +16,14 @@
 
 namespace delref {
 
+/// The files of one stem with these extensions, whatever the path's own.
+template <std::size_t Count>
+std::array<std::filesystem::path, Count> files_of_stem(const std::filesystem::path& path, const char* const (&extensions)[Count]) {
+  std::array<std::filesystem::path, Count> files;
+  for (std::size_t i = 0; i != Count; ++i) files[i] = std::filesystem::path(path).replace_extension(extensions[i]);
+  return files;
+}
+
 /// Writes the files that `writer(sinks)` writes, where `sinks[i]` takes the text of `paths[i]`. None of them gets its name before all
 /// of them are complete. Throws `OutputError`, and `Interrupted` when the control says stop.
 template <std::size_t Count, std::invocable<const std::array<TextSink*, Count>&> Writer>

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reads polygonal surfaces from Wavefront's .obj: vertices (`v`), faces (`f`), of which each becomes a facet, and lines (`l`), whose
+// Reads polygonal surfaces from Wavefront's .obj by CGAL: vertices (`v`), faces (`f`), of which each becomes a facet, and lines (`l`), whose
 // pieces become segments. Texture coordinates, normals, groups and materials are passed over; curves and free-form surfaces are told.
+//
+// CGAL ends a face at the first corner that it cannot read, takes vertex 0 for the next one, and refuses lines and keywords that it does not
+// know. So corners are looked at before; lines are handed to it as faces and taken out of them again; what is passed over it does not see.
 #pragma once
 
 #include <algorithm>
@@ -10,18 +13,22 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <istream>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include <CGAL/IO/OBJ.h>
 #include <fmt/format.h>
 
 #include <delref/core/budget.hpp>
 #include <delref/domain/plc.hpp>
+#include <delref/io/cgal_stream.hpp>
 #include <delref/io/file.hpp>
 #include <delref/io/node_records.hpp>
 #include <delref/io/plc_file.hpp>
+#include <delref/io/polygon_soup.hpp>
 #include <delref/io/text_scanner.hpp>
 
 namespace delref {
@@ -29,33 +36,19 @@ namespace delref {
 namespace detail {
 
 /// A corner `v`, `v/vt`, `v//vn` or `v/vt/vn`, whose v counts from 1 or, when it is negative, back from the last vertex so far.
-inline Plc::Index read_obj_corner(TextScanner& in, std::size_t points) {
+inline void check_obj_corner(TextScanner& in, std::size_t points) {
   const std::string_view field = in.word("a vertex"), digits = field.substr(0, field.find('/'));
-  std::int64_t written = 0;
+  std::int32_t written = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), written);
-  if (error != std::errc{} || end != digits.data() + digits.size()) in.fail("expected the number of a vertex, alone or as in 1/2/3");
-  const std::int64_t index = written < 0 ? static_cast<std::int64_t>(points) + written : written - 1;
-  if (index < 0) in.fail(fmt::format("there is no vertex {}; vertices are numbered from 1, and from -1 backwards", written));
-  if (index >= std::int64_t{Plc::Index(-1)}) in.fail(fmt::format("there is no vertex {}", written));
-  return static_cast<Plc::Index>(index);
-}
-
-inline std::vector<Plc::Index> read_obj_corners(TextScanner& in, std::size_t points) {
-  std::vector<Plc::Index> corners;
-  while (in.has_field()) corners.push_back(read_obj_corner(in, points));
-  return corners;
-}
-
-/// Faces may come before their vertices, so that indices are compared at the end.
-inline void check_obj_corners(const TextScanner& in, const Plc& plc) {
-  const auto refuse = [&](Plc::Index corner) {
-    in.fail(fmt::format("a face or line has the vertex {}, but there are {}", std::size_t{corner} + 1, plc.points.size()));
-  };
-  for (const Plc::Facet& facet : plc.facets) {
-    for (const auto corner : facet.polygons[0]) if (corner >= plc.points.size()) refuse(corner);
+  if (error == std::errc::result_out_of_range) {
+    in.fail(fmt::format("there is no vertex {}", std::string_view(digits.data(), std::min(end, digits.data() + 40))));
   }
-  for (const auto& segment : plc.segments) {
-    for (const auto corner : segment) if (corner >= plc.points.size()) refuse(corner);
+  // CGAL looks no further than 256 characters for the end of a corner.
+  if (error != std::errc{} || end != digits.data() + digits.size() || field.size() > 200) {
+    in.fail("expected the number of a vertex, alone or as in 1/2/3");
+  }
+  if (written == 0 || -std::int64_t{written} > static_cast<std::int64_t>(points)) {
+    in.fail(fmt::format("there is no vertex {}; vertices are numbered from 1, and from -1 backwards", written));
   }
 }
 
@@ -64,35 +57,60 @@ inline bool is_free_form(std::string_view keyword) {
   return std::ranges::find(keywords, keyword) != keywords.end();
 }
 
+/// What the guard has seen of a file.
+struct ObjContent {
+  /// Which of the polygons that CGAL will read are lines, in order.
+  std::vector<std::size_t> lines;
+  bool free_form = false;
+};
+
+/// Looks at every corner, turns `l` into `f`, and blanks what is neither v nor f.
+inline ObjContent guard_obj(std::string& text, const std::string& name, const Control& control) {
+  blank_comments(text);
+  TextScanner in(text, name, TextScanner::Layout::lines);
+  ObjContent content;
+  std::size_t points = 0, polygons = 0;
+  for (std::size_t line = 0; in.next_line(); ++line) {
+    ask_sometimes(control, line);
+    const std::string_view keyword = in.word("a keyword");
+    const std::size_t begin = text.size() - in.bytes_left() - keyword.size(), end = begin + keyword.size() + line_ahead(in, text).size();
+    if (keyword == "v") {
+      refuse_commas(text, name, begin, end);
+      ++points;
+    } else if (keyword == "f" || keyword == "l") {
+      refuse_commas(text, name, begin, end);
+      std::size_t corners = 0;
+      for (; in.has_field(); ++corners) check_obj_corner(in, points);
+      const std::size_t face = polygons + 1 - content.lines.size();
+      if (keyword == "l") content.lines.push_back(polygons);
+      else if (corners < 3) in.fail(fmt::format("face {} has {} corners; a polygon has three or more", face, corners));
+      ++polygons;
+      text[begin] = 'f';
+    } else {
+      content.free_form = content.free_form || is_free_form(keyword);
+      blank_out(text, begin, end);
+    }
+  }
+  if (points == 0) in.fail("the file ends without a vertex, that is a line that starts with v");
+  if (polygons == 0) in.fail("the file ends without a face, that is a line that starts with f");
+  return content;
+}
+
 }  // namespace detail
 
 /// The surface in the text of an .obj file; `name` is what complaints call it.
-/// Throws `InvalidInput` with the line and what was expected there, `Interrupted` when the control says stop.
-inline PlcFile parse_obj(std::string_view text, const std::string& name, const Control& control = Control{}) {
-  TextScanner in(text, name, TextScanner::Layout::lines);
-  PlcFile out;
-  out.plc.first_index = 1;
-  bool free_form = false;
-  const detail::CoordinateNames names("vertex");
-  for (std::size_t line = 0; in.next_line(); ++line) {
-    detail::ask_sometimes(control, line);
-    const std::string_view keyword = in.word("a keyword");
-    if (keyword == "v") {
-      out.plc.points.push_back(detail::read_point<Point3>(in, names, out.plc.points.size() + 1));
-    } else if (keyword == "f") {
-      auto corners = detail::read_obj_corners(in, out.plc.points.size());
-      detail::check_corner_count(in, corners.size(), out.plc.facets.size() + 1);
-      detail::add_polygon(out.plc, std::move(corners));
-    } else if (keyword == "l") {
-      const auto corners = detail::read_obj_corners(in, out.plc.points.size());
-      for (std::size_t k = 1; k < corners.size(); ++k) out.plc.segments.push_back({corners[k - 1], corners[k]});
-    } else {
-      free_form = free_form || detail::is_free_form(keyword);
-    }
+/// Throws `InvalidInput` with the line or face and what was expected there, `Interrupted` when the control says stop.
+inline PlcFile parse_obj(std::string text, const std::string& name, const Control& control = Control{}) {
+  const detail::ObjContent content = detail::guard_obj(text, name, control);
+  detail::PolygonSoup soup(control);
+  const auto read = [&](std::istream& in) { return CGAL::IO::read_OBJ(in, soup.points, soup.polygons, CGAL::parameters::verbose(false)); };
+  const auto end = detail::call_cgal_reader(std::move(text), name, false, read);
+  if (!end.good) {
+    throw InvalidInput(fmt::format("{}, line {}: expected the three coordinates of vertex {}, found \"{}\"", name, end.line,
+                                   soup.points.size() + 1, end.found));
   }
-  detail::check_obj_corners(in, out.plc);
-  if (out.plc.points.empty()) in.fail("the file ends without a vertex, that is a line that starts with v");
-  if (free_form) out.notes.emplace_back("curves and free-form surfaces are passed over; only v, f and l are read");
+  PlcFile out{detail::soup_to_plc(soup, name, 1, control, content.lines), {}};
+  if (content.free_form) out.notes.emplace_back("curves and free-form surfaces are passed over; only v, f and l are read");
   return out;
 }
 

@@ -1,158 +1,88 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reads polygonal surfaces from .ply files, text and binary of either byte order (ply_header.hpp). The element `vertex` gives the
-// points, the list `vertex_indices` or `vertex_index` of the element `face` the facets; all else is passed over.
+// Reads polygonal surfaces from .ply files, text and binary of either byte order, by CGAL behind the guard of ply_header.hpp. The element
+// `vertex` gives the points, the list `vertex_indices` or `vertex_index` of the element `face` the facets; all else is passed over.
 #pragma once
 
-#include <bit>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
+#include <istream>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include <CGAL/IO/PLY.h>
 #include <fmt/format.h>
 
 #include <delref/core/budget.hpp>
+#include <delref/domain/invalid_input.hpp>
 #include <delref/domain/plc.hpp>
-#include <delref/io/binary_numbers.hpp>
+#include <delref/io/cgal_stream.hpp>
 #include <delref/io/file.hpp>
-#include <delref/io/node_records.hpp>
 #include <delref/io/plc_file.hpp>
 #include <delref/io/ply_header.hpp>
-#include <delref/io/text_scanner.hpp>
+#include <delref/io/polygon_soup.hpp>
 
 namespace delref {
 
 namespace detail {
 
-/// The elements after the header, one number after the other.
-class PlyReader {
- public:
-  PlyReader(std::string_view text, const std::string& name, const Control& control)
-      : in_(text, name, TextScanner::Layout::lines), control_(control), header_(read_ply_header(in_)) {
-    if (header_.layout == PlyLayout::text) return;
-    in_.rest_of_line();
-    bytes_ = text.substr(text.size() - in_.bytes_left());
+/// The list of an element that has the corners of a face.
+inline std::string_view ply_corner_list(const PlyHeader& header, const PlyElement& element, const std::string& name) {
+  const std::string_view list = element.find("vertex_indices") ? "vertex_indices" : "vertex_index";
+  const auto found = element.find(list);
+  if (!found || !element.properties[*found].count) throw InvalidInput(fmt::format("{}: the element \"face\" has no list vertex_indices", name));
+  const PlyType type = element.properties[*found].type;
+  if (header.layout != PlyLayout::text && type != PlyType::int32 && type != PlyType::uint32) {
+    throw InvalidInput(fmt::format("{}: the list {} is of type {}; binary files are read with int or uint: save it with those, or as text", name, list,
+                                   ply_type_names[static_cast<std::size_t>(type)]));
   }
+  return list;
+}
 
-  PlcFile read() {
-    for (const PlyElement& element : header_.elements) {
-      if (element.name == "vertex") read_vertices(element);
-      else if (element.name == "face") read_faces(element);
-      else pass_over(element);
+/// Compares the header with the file, and puts a plain one in its place. Gives notes about what is passed over.
+inline std::vector<std::string> guard_ply_surface(std::string& bytes, const std::string& name, const Control& control) {
+  const PlyHeader header = read_ply_header(bytes, name);
+  std::vector<PlyWanted> wanted{{"vertex", {"x", "y", "z"}}};
+  std::vector<std::string> notes;
+  for (const PlyElement& element : header.elements) {
+    if (element.name == "vertex") {
+      for (const auto property : wanted[0].properties) check_ply_number(header, element, property, name);
+    } else if (element.name == "face") {
+      if (wanted.size() != 1) throw InvalidInput(fmt::format("{}: there are several elements \"face\"", name));
+      wanted.push_back({"face", {ply_corner_list(header, element, name)}});
+    } else if (element.count != 0) {
+      notes.push_back(fmt::format("{} elements \"{}\" are passed over", element.count, element.name));
     }
-    if (out_.plc.points.empty()) in_.fail("the file has no element \"vertex\"");
-    return std::move(out_);
   }
+  if (header.layout != PlyLayout::text) check_ply_lengths(header, bytes, name, control);
+  bytes.replace(0, header.size, plain_ply_header(header, bytes, wanted));
+  return notes;
+}
 
- private:
-  /// Visits every element, and of each every property with its index and its values.
-  template <class Visit>
-  void for_each(const PlyElement& element, Visit&& visit) {
-    if (element.properties.empty()) return;
-    for (std::uint64_t i = 0; i != element.count; ++i) {
-      ask_sometimes(control_, i);
-      at_ = {element.name, i};
-      if (header_.layout == PlyLayout::text) in_.need_line(element.name, i);
-      for (std::size_t k = 0; k != element.properties.size(); ++k) visit(k, read_values(element.properties[k]));
-    }
+/// Throws unless a file in the PLY format was read to its end.
+inline void check_ply_end(const ReaderEnd& end, const std::string& name, std::size_t vertices, std::size_t faces) {
+  if (!end.good) {
+    throw InvalidInput(fmt::format("{}, line {}: expected the numbers of the next element after {} vertices and {} faces, found \"{}\"", name,
+                                   end.line, vertices, faces, end.found));
   }
-  const std::vector<double>& read_values(const PlyProperty& property) {
-    values_.clear();
-    std::size_t count = 1;
-    if (property.count) {
-      const double length = read_number(*property.count);
-      if (!(length >= 0 && length <= 4e9) || length != std::floor(length)) fail(fmt::format("a list has the length {}", length));
-      count = static_cast<std::size_t>(length);
-      const std::size_t each = header_.layout == PlyLayout::text ? 2 : size_of(property.type);
-      if (count > (bytes_left() + 2) / each) fail(fmt::format("a list has the length {}, but only {} bytes follow", count, bytes_left()));
-    }
-    for (std::size_t i = 0; i != count; ++i) values_.push_back(read_number(property.type));
-    return values_;
-  }
-  double read_number(PlyType type) {
-    if (header_.layout == PlyLayout::text) {
-      if (!in_.has_field()) in_.need_line("a property");
-      return in_.number("a property");
-    }
-    const char* const bytes = bytes_.data();
-    if (bytes_.size() < size_of(type)) fail("the file ends here");
-    bytes_.remove_prefix(size_of(type));
-    const auto order = header_.layout == PlyLayout::little ? std::endian::little : std::endian::big;
-    switch (type) {
-      case PlyType::int8: return number_from_bytes<std::int8_t>(bytes, order);
-      case PlyType::uint8: return number_from_bytes<std::uint8_t>(bytes, order);
-      case PlyType::int16: return number_from_bytes<std::int16_t>(bytes, order);
-      case PlyType::uint16: return number_from_bytes<std::uint16_t>(bytes, order);
-      case PlyType::int32: return number_from_bytes<std::int32_t>(bytes, order);
-      case PlyType::uint32: return number_from_bytes<std::uint32_t>(bytes, order);
-      case PlyType::float32: return double{number_from_bytes<float>(bytes, order)};
-      case PlyType::float64: break;
-    }
-    return number_from_bytes<double>(bytes, order);
-  }
-  std::size_t bytes_left() const { return header_.layout == PlyLayout::text ? in_.bytes_left() : bytes_.size(); }
-  [[noreturn]] void fail(std::string_view message) const {
-    if (header_.layout == PlyLayout::text) in_.fail(fmt::format("{} {}: {}", at_.first, at_.second, message));
-    throw InvalidInput(fmt::format("{}: {} {}: {}", in_.name(), at_.first, at_.second, message));
-  }
-
-  void read_vertices(const PlyElement& element) {
-    const auto x = element.find("x"), y = element.find("y"), z = element.find("z");
-    if (!x || !y || !z) in_.fail("the element \"vertex\" has no properties x, y and z");
-    for (const auto k : {*x, *y, *z}) if (element.properties[k].count) in_.fail("x, y or z of the element \"vertex\" is a list");
-    out_.plc.points.reserve(out_.plc.points.size() + element.count);
-    Point3 p;
-    for_each(element, [&](std::size_t k, const std::vector<double>& values) {
-      if (k == *x) p.x = values[0];
-      if (k == *y) p.y = values[0];
-      if (k == *z) p.z = values[0];
-      if (k + 1 == element.properties.size()) out_.plc.points.push_back(p);
-    });
-  }
-  void read_faces(const PlyElement& element) {
-    auto list = element.find("vertex_indices");
-    if (!list) list = element.find("vertex_index");
-    if (!list || !element.properties[*list].count) in_.fail("the element \"face\" has no list vertex_indices");
-    out_.plc.facets.reserve(out_.plc.facets.size() + element.count);
-    for_each(element, [&](std::size_t k, const std::vector<double>& values) {
-      if (k != *list) return;
-      if (values.size() < 3) fail(fmt::format("it has {} corners; a polygon has three or more", values.size()));
-      std::vector<Plc::Index> corners;
-      corners.reserve(values.size());
-      for (const double value : values) {
-        if (!(value >= 0 && value < static_cast<double>(out_.plc.points.size())) || value != std::floor(value)) {
-          fail(fmt::format("a corner is vertex {}, but the vertices are numbered from 0 and there are {}", value, out_.plc.points.size()));
-        }
-        corners.push_back(static_cast<Plc::Index>(value));
-      }
-      add_polygon(out_.plc, std::move(corners));
-    });
-  }
-  void pass_over(const PlyElement& element) {
-    for_each(element, [](std::size_t, const std::vector<double>&) {});
-    if (element.count != 0) out_.notes.push_back(fmt::format("{} elements \"{}\" are passed over", element.count, element.name));
-  }
-
-  TextScanner in_;
-  const Control& control_;
-  PlyHeader header_;
-  std::string_view bytes_;
-  std::pair<std::string_view, std::uint64_t> at_;
-  std::vector<double> values_;
-  PlcFile out_;
-};
+  if (end.more_follows) throw InvalidInput(fmt::format("{}: more follows after the last element; is one of the numbers in the header too small?", name));
+}
 
 }  // namespace detail
 
-/// The surface in the bytes of a .ply file; `name` is what complaints call it. Vertices must come before faces.
+/// The surface in the bytes of a .ply file; `name` is what complaints call it.
 /// Throws `InvalidInput` with the line or element and what was expected there, `Interrupted` when the control says stop.
-inline PlcFile parse_ply(std::string_view bytes, const std::string& name, const Control& control = Control{}) {
-  return detail::PlyReader(bytes, name, control).read();
+inline PlcFile parse_ply(std::string bytes, const std::string& name, const Control& control = Control{}) {
+  PlcFile out;
+  out.notes = detail::guard_ply_surface(bytes, name, control);
+  detail::PolygonSoup soup(control);
+  const auto read = [&](std::istream& in) { return CGAL::IO::read_PLY(in, soup.points, soup.polygons, CGAL::parameters::verbose(false)); };
+  const auto end = detail::call_cgal_reader(std::move(bytes), name, false, read);
+  detail::check_ply_end(end, name, soup.points.size(), soup.polygons.size());
+  out.plc = detail::soup_to_plc(soup, name, 0, control);
+  return out;
 }
 
 /// Reads a .ply file. Throws as `read_file` and `parse_ply`.

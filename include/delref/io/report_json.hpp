@@ -5,8 +5,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -53,7 +55,38 @@ inline OrderedJson options_json(const ReportedOptions& o, Point2) {
           {"smallest_edge", o.smallest_edge},         {"max_vertices", or_null(o.max_vertices)},
           {"time_limit_seconds", or_null(o.time_limit_seconds)}};
 }
+inline OrderedJson smooth_options_json(const ReportedOptions& o, const ReportedSmoothOptions& s) {
+  OrderedJson sizes = OrderedJson::array();
+  for (const auto& [label, size] : s.region_cell_sizes) sizes.push_back({{"region", label}, {"cell_size", size}});
+  return {{"expressions", s.expressions},
+          {"bounds", s.bounds},
+          {"iso", or_null(s.iso)},
+          {"inside", s.inside},
+          {"closed_at_border", s.closed_at_border},
+          {"labels", s.labels},
+          {"background_label", or_null(s.background_label)},
+          {"label_smoothing", s.label_smoothing},
+          {"point_set", s.point_set},
+          {"neighbours", s.neighbours},
+          {"outlier_distance", s.outlier_distance},
+          {"point_smoothing", s.point_smoothing},
+          {"sampling", s.sampling},
+          {"facet_angle_degrees", s.facet_angle_degrees},
+          {"facet_size", or_null(s.facet_size)},
+          {"facet_distance", or_null(s.facet_distance)},
+          {"smallest_facet", s.smallest_facet},
+          {"surface_only", s.surface_only},
+          {"radius_edge", o.radius_edge},
+          {"cell_size", or_null(o.cell_size)},
+          {"region_cell_sizes", std::move(sizes)},
+          {"size_points_file", o.size_points_file},
+          {"gradation", o.gradation},
+          {"smallest_edge", o.smallest_edge},
+          {"max_vertices", or_null(o.max_vertices)},
+          {"time_limit_seconds", or_null(o.time_limit_seconds)}};
+}
 inline OrderedJson options_json(const ReportedOptions& o, Point3) {
+  if (o.smooth) return smooth_options_json(o, *o.smooth);
   return {{"radius_edge", o.radius_edge},
           {"max_volume", or_null(o.max_volume)},
           {"cell_size", or_null(o.cell_size)},
@@ -161,6 +194,40 @@ OrderedJson input_angles_json(const Report& report) {
   return {{"count", report.input_angle_count}, {"smallest", std::move(list)}};
 }
 
+inline OrderedJson finite_or_null(double value) { return std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr); }
+
+inline OrderedJson surface_input_json(const ReportedSurface& s) {
+  return {{"domain", s.domain}, {"bounds", {place_json(s.bounds[0]), place_json(s.bounds[1])}}};
+}
+inline OrderedJson surface_json(const ReportedSurface& s) {
+  OrderedJson patches = OrderedJson::array(), boundaries = OrderedJson::array();
+  for (const ReportedPatch& p : s.patches)
+    patches.push_back({{"marker", p.marker}, {"regions", {or_null(p.regions[0]), or_null(p.regions[1])}}, {"triangles", p.triangles}});
+  for (const ReportedBoundary& b : s.boundaries)
+    boundaries.push_back({{"region", b.label},
+                          {"triangles", b.triangles},
+                          {"components", b.components},
+                          {"euler_characteristic", b.euler_characteristic},
+                          {"closed_manifold", b.is_closed_manifold()},
+                          {"edges_not_of_two_triangles", b.crowded_edges},
+                          {"pinched_vertices", b.pinched_vertices}});
+  return {{"vertices", s.vertices},
+          {"smallest_angle_degrees", s.smallest_angle_degrees},
+          {"facet_size", finite_or_null(s.sizes.facet_size)},
+          {"facet_distance", finite_or_null(s.sizes.facet_distance)},
+          {"smallest_facet", s.sizes.smallest_facet},
+          {"facets_stopped_by_the_size_floor", s.stopped_by_floor},
+          {"components",
+           {{"found", s.components_found},
+            {"found_by", s.found_by},
+            {"found_exactly", s.found_exactly},
+            {"seeded_again", s.components_seeded_again},
+            {"missed", s.components_missed},
+            {"loose_vertices", s.loose_vertices}}},
+          {"patches", std::move(patches)},
+          {"boundaries", std::move(boundaries)}};
+}
+
 template <class Point>
 inline constexpr int report_dimension = std::is_same_v<Point, Point2> ? 2 : 3;
 
@@ -171,6 +238,41 @@ void read_value(const nlohmann::json& from, const char* key, Value& to) {
 template <class Value>
 void read_value(const nlohmann::json& from, const char* key, std::optional<Value>& to) {
   if (const auto found = from.find(key); found != from.end() && !found->is_null()) to = found->template get<Value>();
+}
+
+inline ReportedSmoothOptions read_smooth_options(const nlohmann::json& json) {
+  ReportedSmoothOptions s;
+  read_value(json, "expressions", s.expressions);
+  read_value(json, "bounds", s.bounds);
+  read_value(json, "iso", s.iso);
+  read_value(json, "inside", s.inside);
+  read_value(json, "closed_at_border", s.closed_at_border);
+  read_value(json, "labels", s.labels);
+  s.background_label.reset();
+  read_value(json, "background_label", s.background_label);
+  read_value(json, "label_smoothing", s.label_smoothing);
+  read_value(json, "point_set", s.point_set);
+  read_value(json, "neighbours", s.neighbours);
+  read_value(json, "outlier_distance", s.outlier_distance);
+  read_value(json, "point_smoothing", s.point_smoothing);
+  read_value(json, "sampling", s.sampling);
+  read_value(json, "facet_angle_degrees", s.facet_angle_degrees);
+  read_value(json, "facet_size", s.facet_size);
+  read_value(json, "facet_distance", s.facet_distance);
+  read_value(json, "smallest_facet", s.smallest_facet);
+  read_value(json, "surface_only", s.surface_only);
+  for (const auto& size : json.at("region_cell_sizes"))
+    s.region_cell_sizes.emplace_back(size.at("region").get<int>(), size.at("cell_size").get<double>());
+  return s;
+}
+
+inline ReportedFacetSizes read_facet_sizes(const nlohmann::json& surface) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  ReportedFacetSizes sizes{.facet_size = none, .facet_distance = none};
+  read_value(surface, "facet_size", sizes.facet_size);
+  read_value(surface, "facet_distance", sizes.facet_distance);
+  read_value(surface, "smallest_facet", sizes.smallest_facet);
+  return sizes;
 }
 
 inline ReportedOptions read_options(const nlohmann::json& json) {
@@ -193,6 +295,7 @@ inline ReportedOptions read_options(const nlohmann::json& json) {
   read_value(json, "cell_size", o.cell_size);
   read_value(json, "join_coplanar_degrees", o.join_coplanar_degrees);
   read_value(json, "planarity_tolerance", o.planarity_tolerance);
+  if (json.contains("facet_angle_degrees")) o.smooth = read_smooth_options(json);
   return o;
 }
 
@@ -208,11 +311,12 @@ std::string report_text(const BasicRunReport<Point, Quality>& report) {
                    {"input_file", report.input_file},
                    {"output_files", report.output_files},
                    {"options", detail::options_json(report.options, Point{})},
-                   {"input", detail::input_json(report.input, Point{})}};
-  if constexpr (detail::report_dimension<Point> == 3) json["small_input_angles"] = detail::input_angles_json(report);
+                   {"input", report.surface ? detail::surface_input_json(*report.surface) : detail::input_json(report.input, Point{})}};
+  if (detail::report_dimension<Point> == 3 && !report.surface) json["small_input_angles"] = detail::input_angles_json(report);
   json["mesh"] = detail::mesh_json(report.mesh, Point{});
+  if (report.surface) json["surface"] = detail::surface_json(*report.surface);
   json["outcome"] = detail::outcome_json(report.outcome);
-  if constexpr (detail::report_dimension<Point> == 3) json["outcome"]["conforms"] = report.conforms;
+  if (detail::report_dimension<Point> == 3 && !report.surface) json["outcome"]["conforms"] = report.conforms;
   json["quality"] = report.quality ? detail::quality_json(*report.quality) : OrderedJson(nullptr);
   json["notes"] = report.notes;
   OrderedJson times = OrderedJson::object();
@@ -234,6 +338,8 @@ struct BasicPromise {
   std::string input_file;
   ReportedOptions options;
   bool complete = false;
+  std::size_t missed_components = 0;                ///< of the surface of a smooth domain
+  std::optional<ReportedFacetSizes> facet_sizes{};  ///< of a smooth domain
   std::vector<std::string> level_names;
   /// Level, criterion, reason and place of every unmet element; its vertices are not in a report.
   std::vector<Unmet<Point>> unmet;
@@ -293,6 +399,10 @@ BasicPromise<Point> parse_report(std::string_view text, const std::string& name)
     promise.options = detail::read_options(json.at("options"));
     const auto& outcome = json.at("outcome");
     promise.complete = outcome.at("stopped_by").is_null();
+    if (const auto surface = json.find("surface"); surface != json.end()) {
+      detail::read_value(surface->at("components"), "missed", promise.missed_components);
+      promise.facet_sizes = detail::read_facet_sizes(*surface);
+    }
     for (const auto& level : outcome.at("levels")) promise.level_names.push_back(level.at("name").get<std::string>());
     for (const auto& group : outcome.at("unmet")) detail::read_unmet(group, name, promise);
     return promise;

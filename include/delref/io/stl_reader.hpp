@@ -1,30 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reads triangulated surfaces from .stl files (3D Systems 1989), binary and text. Every triangle brings three points of its own
-// and becomes a facet; `check_plc` merges equal points. Normals and attributes are passed over.
+// Reads triangulated surfaces from .stl files (3D Systems 1989), binary and text, by CGAL, which makes one point of equal ones. Every
+// triangle becomes a facet. Normals and attributes are passed over.
+//
+// CGAL guesses whether a file is text, takes a broken text for bytes and either for an empty surface, and merges points that are not numbers
+// with others. So the kind is told here, by a file's length where it can be, and made plain to CGAL; coordinates in bytes are looked at before.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <bit>
 #include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <istream>
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
+#include <CGAL/IO/STL.h>
 #include <fmt/format.h>
 
 #include <delref/core/budget.hpp>
 #include <delref/domain/invalid_input.hpp>
 #include <delref/domain/plc.hpp>
 #include <delref/io/binary_numbers.hpp>
+#include <delref/io/cgal_stream.hpp>
 #include <delref/io/file.hpp>
 #include <delref/io/node_records.hpp>
-#include <delref/io/plc_file.hpp>
-#include <delref/io/text_scanner.hpp>
+#include <delref/io/polygon_soup.hpp>
 
 namespace delref {
 
@@ -42,7 +46,8 @@ inline bool is_binary_stl(std::string_view bytes) {
   return first == std::string_view::npos || !bytes.substr(first).starts_with("solid") || bytes.find('\0') != std::string_view::npos;
 }
 
-inline Plc parse_binary_stl(std::string_view bytes, const std::string& name, const Control& control) {
+/// Compares the length with the count and looks at every coordinate; the text at the head becomes one that CGAL does not take for a text's.
+inline void guard_binary_stl(std::string& bytes, const std::string& name, const Control& control) {
   if (bytes.size() < stl_head) {
     throw InvalidInput(fmt::format("{}: neither begins with \"solid\", as text does, nor has the {} bytes with which a binary file begins", name, stl_head));
   }
@@ -51,70 +56,49 @@ inline Plc parse_binary_stl(std::string_view bytes, const std::string& name, con
     throw InvalidInput(fmt::format("{}: announces {} triangles and should then have {} bytes, but has {}; is it cut off?", name, count,
                                    stl_head + stl_triangle * count, bytes.size()));
   }
-  Plc out;
-  out.points.reserve(3 * count);
-  out.facets.reserve(count);
   for (std::size_t t = 0; t != count; ++t) {
     ask_sometimes(control, t);
     const char* corner = bytes.data() + stl_head + stl_triangle * t + 12;
     for (int k = 0; k != 3; ++k, corner += 12) {
       const auto coordinate = [&](std::size_t i) { return double{number_from_bytes<float>(corner + 4 * i, std::endian::little)}; };
-      out.points.push_back({coordinate(0), coordinate(1), coordinate(2)});
+      check_finite({coordinate(0), coordinate(1), coordinate(2)}, t, name, "a corner of triangle");
     }
-    const auto first = static_cast<Plc::Index>(3 * t);
-    add_polygon(out, {first, first + 1, first + 2});
   }
-  return out;
+  bytes.replace(0, 80, std::string(80, '-'));
 }
 
-/// Goes over a word that must be there, in small or capital letters.
-inline void expect_stl_word(TextScanner& in, std::string_view wanted) {
-  std::string word(in.word(wanted));
-  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (word != wanted) in.fail(fmt::format("expected \"{}\"", wanted));
-}
-
-/// `facet normal x y z outer loop vertex x y z ... endloop endfacet`, less its first word.
-inline void read_stl_facet(TextScanner& in, const CoordinateNames& names, Plc& out) {
-  expect_stl_word(in, "normal");
-  for (int i = 0; i != 3; ++i) in.word("a normal");
-  expect_stl_word(in, "outer");
-  expect_stl_word(in, "loop");
-  for (int k = 0; k != 3; ++k) {
-    expect_stl_word(in, "vertex");
-    out.points.push_back(read_point<Point3>(in, names, out.points.size()));
-  }
-  expect_stl_word(in, "endloop");
-  expect_stl_word(in, "endfacet");
-  const auto end = static_cast<Plc::Index>(out.points.size());
-  add_polygon(out, {end - 3, end - 2, end - 1});
-}
-
-inline Plc parse_text_stl(std::string_view text, const std::string& name, const Control& control) {
-  TextScanner in(text, name, TextScanner::Layout::free);
-  Plc out;
-  const CoordinateNames names("vertex");
-  while (in.has_field()) {
-    expect_stl_word(in, "solid");
-    in.rest_of_line();
-    for (;;) {
-      ask_sometimes(control, out.facets.size());
-      const std::string_view word = in.word("facet or endsolid");
-      if (word == "endsolid" || word == "ENDSOLID") break;
-      if (word != "facet" && word != "FACET") in.fail("expected \"facet\" or \"endsolid\"");
-      read_stl_facet(in, names, out);
+/// Puts the words into small letters and takes away the names after `solid` and `endsolid`, in which CGAL would look for words of its own.
+inline void guard_text_stl(std::string& text, const Control& control) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (std::size_t begin = 0, line = 0; begin < text.size(); ++line) {
+    ask_sometimes(control, line);
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::size_t word = std::min(text.find_first_not_of(" \t\r", begin), end);
+    for (const std::string_view keyword : {"solid", "endsolid"}) {
+      if (std::string_view(text).substr(word).starts_with(keyword)) blank_out(text, word + keyword.size(), end);
     }
-    in.rest_of_line();
+    begin = end + 1;
   }
-  return out;
+  // CGAL takes what is shorter than the head of a binary file for an empty surface.
+  text.append(stl_head, ' ').append("\n");
 }
 
 }  // namespace detail
 
 /// The surface in the bytes of an .stl file; `name` is what complaints call it.
 /// Throws `InvalidInput` saying what was expected (and in which line, of a text), `Interrupted` when the control says stop.
-inline Plc parse_stl(std::string_view bytes, const std::string& name, const Control& control = Control{}) {
-  return detail::is_binary_stl(bytes) ? detail::parse_binary_stl(bytes, name, control) : detail::parse_text_stl(bytes, name, control);
+inline Plc parse_stl(std::string bytes, const std::string& name, const Control& control = Control{}) {
+  const bool binary = detail::is_binary_stl(bytes);
+  if (binary) detail::guard_binary_stl(bytes, name, control);
+  else detail::guard_text_stl(bytes, control);
+  detail::PolygonSoup soup(control);
+  const auto read = [&](std::istream& in) { return CGAL::IO::read_STL(in, soup.points, soup.polygons, CGAL::parameters::verbose(false)); };
+  const auto end = detail::call_cgal_reader(std::move(bytes), name, true, read);
+  if (!end.good) {
+    throw InvalidInput(fmt::format("{}, line {}: the text is no whole surface up to here; expected facets of three vertices with three coordinates each, "
+                                   "between \"solid\" and \"endsolid\", found \"{}\"", name, end.line, end.found));
+  }
+  return detail::soup_to_plc(soup, name, 0, control);
 }
 
 /// Reads an .stl file. Throws as `read_file` and `parse_stl`.

@@ -27,10 +27,7 @@ namespace delref {
 
 /// The files that `write_tetgen_mesh` writes for a path: `.node`, `.ele`, `.face` and `.edge`, whatever the path's extension.
 inline std::array<std::filesystem::path, 4> tetgen_mesh_files(const std::filesystem::path& path) {
-  std::array<std::filesystem::path, 4> files{path, path, path, path};
-  constexpr std::array<const char*, 4> extensions{".node", ".ele", ".face", ".edge"};
-  for (std::size_t i = 0; i != files.size(); ++i) files[i].replace_extension(extensions[i]);
-  return files;
+  return files_of_stem(path, {".node", ".ele", ".face", ".edge"});
 }
 
 /// Writes the four files of `tetgen_mesh_files(path)`, all of them or none.

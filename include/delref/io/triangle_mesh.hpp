@@ -29,10 +29,7 @@ namespace delref {
 
 /// The files that `write_triangle_mesh` writes for a path: `.node`, `.ele`, `.edge` and `.poly`, whatever the path's extension.
 inline std::array<std::filesystem::path, 4> triangle_mesh_files(const std::filesystem::path& path) {
-  std::array<std::filesystem::path, 4> files{path, path, path, path};
-  constexpr std::array<const char*, 4> extensions{".node", ".ele", ".edge", ".poly"};
-  for (std::size_t i = 0; i != files.size(); ++i) files[i].replace_extension(extensions[i]);
-  return files;
+  return files_of_stem(path, {".node", ".ele", ".edge", ".poly"});
 }
 
 namespace detail {

@@ -67,7 +67,7 @@ class EdgesLevel2 {
     if (is_protected(tr, e)) return Reason::protected_segment;
     const double floor = options_.smallest_edge;
     if (floor > 0 && squared_length(tr, e) <= floor * floor) return Reason::size_floor;
-    const double rounding = PlanarDomain::rounding_near(tr.point(tr.source(e)));
+    const double rounding = rounding_near(tr.point(tr.source(e)));
     if (squared_length(tr, e) <= 16 * rounding * rounding) return Reason::precision;
     if (is_hopeless(tr, e) || is_hopeless(tr, tr.mirror(e))) return Reason::small_input_angle;
     return std::nullopt;
@@ -124,7 +124,7 @@ class EdgesLevel2 {
     if (!tr.in_domain(tr.face(e))) return false;
     const typename Tr::Vertex v = tr.apex(e);
     const Point2 p = tr.point(v), a = tr.point(tr.source(e)), b = tr.point(tr.target(e));
-    const double reach = 16 * PlanarDomain::rounding_near(p), area = cross(b - a, p - a);
+    const double reach = 16 * rounding_near(p), area = cross(b - a, p - a);
     return area * area <= reach * reach * squared_length(tr, e) && policy_.encroaches(tr, e, p) &&
            domain_->meet_at_sharp_corner(tr.carrier(v), Carrier{1, static_cast<std::uint32_t>(tr.segment(e))});
   }

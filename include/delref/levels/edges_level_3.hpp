@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -19,7 +20,8 @@
 #include <delref/core/verdict.hpp>
 #include <delref/domain/polyhedral_domain.hpp>
 #include <delref/domain/sharp_corners.hpp>
-#include <delref/levels/split_point_3.hpp>
+#include <delref/domain/thin_places.hpp>
+#include <delref/levels/split_point.hpp>
 #include <delref/levels/subsegment_table.hpp>
 #include <delref/triangulation/spatial_concept.hpp>
 
@@ -49,7 +51,7 @@ class EdgesLevel3 {
 
   /// `vertices` are those of the domain, in its order.
   EdgesLevel3(const Tr& tr, const PolyhedralDomain& domain, std::span<const Vertex> vertices, ConformingOptions options = {})
-      : domain_(&domain), corners_(domain), options_(options) {
+      : domain_(&domain), corners_(domain), options_(options), thin_places_(domain) {
     for (std::uint32_t s = 0; s < domain.segments.size(); ++s)
       table_.add(tr, vertices[domain.segments[s].ends[0]], vertices[domain.segments[s].ends[1]], s);
   }
@@ -91,7 +93,7 @@ class EdgesLevel3 {
   }
   std::optional<Reason> give_up(const Tr& tr, const Element& e) const {
     if (options_.smallest_edge > 0 && squared_length(tr, e) <= options_.smallest_edge * options_.smallest_edge) return Reason::size_floor;
-    const double rounding = PolyhedralDomain::rounding_near(tr.point(table_[e].ends[0]));
+    const double rounding = rounding_near(tr.point(table_[e].ends[0]));
     if (squared_length(tr, e) <= 64 * rounding * rounding) return Reason::precision;
     return std::nullopt;
   }
@@ -105,14 +107,14 @@ class EdgesLevel3 {
     for (const Cell c : proposal.zone->dying_cells())
       if (tr.has_marked_edges(c)) collect_encroached(tr, c, proposal);
     if (proposal.carrier.dimension < 2 || encroached_.empty()) return Verdict::permitted;
-    return split_instead(tr);
+    return split_instead(tr, proposal);
   }
   /// A subsegment hides the point from the element that it is to kill.
-  std::optional<Verdict> check_blocked(Tr& tr, const typename Tr::Edge& edge, const Proposal<Tr>&) {
+  std::optional<Verdict> check_blocked(Tr& tr, const typename Tr::Edge& edge, const Proposal<Tr>& proposal) {
     const Element e = table_.find(tr, edge.a, edge.b);
     if (e == Table::none) return std::nullopt;
     encroached_.assign(1, e);
-    return split_instead(tr);
+    return split_instead(tr, proposal);
   }
   Reason rejection_reason() const { return reason_; }
 
@@ -149,7 +151,10 @@ class EdgesLevel3 {
     const Point3 a = tr.point(table_[e].ends[0]), b = tr.point(table_[e].ends[1]), at = tr.point(w);
     const double length = squared_distance(a, b), t = dot(at - a, b - a) / length;
     if (!(t > 0.1 && t < 0.9)) return std::nullopt;
-    const Point3 foot = onto_line(a + t * (b - a), p, q);
+    const Point3 near = a + t * (b - a);
+    // Straight across, when that is across one of the axes, the foot is exactly opposite.
+    const auto k = main_coordinate(q - p);
+    const Point3 foot = onto_line(std::abs(near.*k - at.*k) <= rounding_near(at) ? at : near, p, q);
     if (squared_distance(at, foot) > 0.01 * length || !is_between(foot, a, b, q - p)) return std::nullopt;
     return foot;
   }
@@ -165,12 +170,21 @@ class EdgesLevel3 {
   static double depth(Point3 p, Point3 a, Point3 b) { return dot(a - p, b - p); }
   /// Strictly inside the diametral ball, by more than rounding makes of a right angle.
   static bool encroaches(Point3 p, Point3 a, Point3 b) { return depth(p, a, b) < -tolerance * squared_distance(a, b); }
-  /// Whether the insertion destroys an edge: it is in the zone and not on its boundary.
-  static bool is_destroyed(const Tr& tr, const typename Tr::Zone& zone, Vertex a, Vertex b) {
-    for (const auto f : zone.boundary_facets()) {
-      const auto v = tr.vertices(f);
-      if (std::ranges::find(v, a) != v.end() && std::ranges::find(v, b) != v.end()) return false;
-    }
+  /// Whether the insertion destroys the edge between the vertices `i` and `j` of a cell that dies: so do all cells around it.
+  static bool is_destroyed(const Tr& tr, const typename Tr::Zone& zone, Cell first, int i, int j) {
+    Cell c = first;
+    int ahead = 0;
+    while (ahead == i || ahead == j) ++ahead;
+    Vertex behind = tr.vertex(first, 6 - i - j - ahead);
+    do {
+      // Out through the face opposite to `ahead`; the vertex that was behind is on it and is the next to be opposite.
+      const auto out = tr.mirror(tr.facet(c, ahead));
+      c = tr.cell(out);
+      if (!tr.dies(c, zone)) return false;
+      const Vertex entered = tr.apex(out);
+      for (ahead = 0; !(tr.vertex(c, ahead) == behind);) ++ahead;
+      behind = entered;
+    } while (!(c == first));
     return true;
   }
   static constexpr double tolerance = 1e-12;
@@ -201,25 +215,42 @@ class EdgesLevel3 {
       for (int j = i + 1; j < 4; ++j) {
         if (!tr.is_edge_marked(c, i, j)) continue;
         const Vertex a = tr.vertex(c, i), b = tr.vertex(c, j);
+        if (proposal.carrier.dimension == 1 && is_split(proposal, a, b)) continue;
         const bool keeps_off = options_.gabriel || proposal.carrier.dimension >= 2;
-        if (!(keeps_off && encroaches(p, tr.point(a), tr.point(b))) && !is_destroyed(tr, *proposal.zone, a, b)) continue;
+        const bool encroached = keeps_off && encroaches(p, tr.point(a), tr.point(b));
+        if (!encroached && !is_destroyed(tr, *proposal.zone, c, i, j)) continue;
         const Element e = table_.find(tr, a, b);
-        if (e != Table::none && proposal.carrier.dimension == 1 && is_beside(tr, e, proposal)) continue;
-        if (e != Table::none && (encroached_.empty() || encroached_.back() != e)) encroached_.push_back(e);
+        if (e == Table::none || std::ranges::find(encroached_, e) != encroached_.end()) continue;
+        if (encroached && proposal.carrier.dimension == 1 && is_beside(tr, e, proposal) && !is_destroyed(tr, *proposal.zone, c, i, j)) continue;
+        encroached_.push_back(e);
       }
   }
-  /// The same for a point on its way to a segment, unless it destroys the subsegment.
-  bool is_beside(const Tr& tr, const Element& e, const Proposal<Tr>& proposal) const {
-    const auto [a, b] = table_[e].ends;
-    for (const Vertex end : {a, b})
-      if (corners_.are_on_one_shell(proposal.carrier, proposal.point, table_[e].segment, tr.point(end)))
-        return !is_destroyed(tr, *proposal.zone, a, b);
-    return false;
+  /// Whether the point is to split the subsegment between `a` and `b`.
+  static bool is_split(const Proposal<Tr>& proposal, Vertex a, Vertex b) {
+    const Vertex u = proposal.vertices[0], v = proposal.vertices[1];
+    return (a == u && b == v) || (a == v && b == u);
   }
-  Verdict split_instead(Tr& tr) {
+  /// The same for a point on its way to a segment.
+  bool is_beside(const Tr& tr, const Element& e, const Proposal<Tr>& proposal) const {
+    return std::ranges::any_of(table_[e].ends, [&](Vertex end) {
+      return corners_.are_on_one_shell(proposal.carrier, proposal.point, table_[e].segment, tr.point(end));
+    });
+  }
+  /// In a thin place, the corner of the tetrahedron that is on another element beside the subsegment.
+  Vertex cause(const Tr& tr, const Element& e, const Proposal<Tr>& proposal) const {
+    const Point3 a = tr.point(table_[e].ends[0]), b = tr.point(table_[e].ends[1]);
+    for (const Vertex v : proposal.element_vertices()) {
+      const Point3 p = tr.point(v);
+      const Vector3 n = cross(b - a, p - a);
+      const double apart = dot(n, n) / squared_distance(a, b), noise = 64 * rounding_near(p);
+      if (apart > noise * noise && thin_places_.has_edge(tr.carrier(v), Carrier{1, table_[e].segment}, apart)) return v;
+    }
+    return {};
+  }
+  Verdict split_instead(Tr& tr, const Proposal<Tr>& proposal) {
     for (const Element e : encroached_)
       if (const auto obstacle = this->obstacle(tr, e)) return reason_ = *obstacle, Verdict::rejected_forever;
-    for (const Element e : encroached_) queue(tr, e);
+    for (const Element e : encroached_) queue(tr, e, proposal.carrier.dimension == 3 ? cause(tr, e, proposal) : Vertex{});
     return Verdict::rejected;
   }
   std::optional<Reason> obstacle(const Tr& tr, const Element& e) const {
@@ -244,6 +275,7 @@ class EdgesLevel3 {
   const PolyhedralDomain* domain_;
   SharpCorners corners_;
   ConformingOptions options_;
+  ThinPlaces thin_places_;
   Table table_;
   ElementSet<Element, Queue> set_;
   Reason reason_ = Reason::size_floor;

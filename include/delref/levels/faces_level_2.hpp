@@ -52,7 +52,7 @@ class FacesLevel2 {
 
   std::optional<Reason> give_up(const Tr& tr, const Element& f) const {
     const TriangleShape t = shape(tr, f);
-    if (t.shortest_squared() <= square(rounding_floor * PlanarDomain::rounding_near(t.corners[0]))) return Reason::precision;
+    if (t.shortest_squared() <= square(rounding_floor * rounding_near(t.corners[0]))) return Reason::precision;
     if (smallest_edge_ > 0 && t.shortest_squared() <= smallest_edge_ * smallest_edge_) return Reason::size_floor;
     const auto a = tr.vertex(f, static_cast<int>((t.shortest + 1) % 3)), b = tr.vertex(f, static_cast<int>((t.shortest + 2) % 3));
     if (domain_->is_seditious(tr.carrier(a), tr.point(a), tr.carrier(b), tr.point(b)) && criteria_.is_small_enough(t))

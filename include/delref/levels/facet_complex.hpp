@@ -15,6 +15,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <delref/core/queue/refinement_queue.hpp>
+#include <delref/criteria/circumcentre.hpp>
 #include <delref/domain/polyhedral_domain.hpp>
 #include <delref/triangulation/simplex_table.hpp>
 
@@ -36,6 +37,7 @@ class FacetComplex {
     std::array<Vertex, 3> corners{};
     std::array<Id, 3> neighbours{none, none, none};  ///< across the edge opposite to each corner; `none` across a subsegment
     std::uint32_t facet = none;                      ///< the input facet; `none`: not in use
+    std::array<int, 2> regions{-1, -1};              ///< in front of it, whence its corners are counterclockwise, and behind it
     QueuePosition slot = -1;
     bool is_present = false;                         ///< the triangulation of space has it
   };
@@ -69,6 +71,8 @@ class FacetComplex {
     return triangles_.find(SimplexTable<3>::key(tr.index(a), tr.index(b), tr.index(c)));
   }
   void set_present(Id id, bool present) { subfacets_[id].is_present = present; }
+  /// What refinement makes of a subfacet has the same regions on its sides: they are bounded by subsegments.
+  void set_regions(Id id, std::array<int, 2> regions) { subfacets_[id].regions = regions; }
   /// Calls `f(id)` for each, in the order of their numbers.
   template <class F>
   void for_each(F&& f) const {
@@ -86,8 +90,7 @@ class FacetComplex {
     const auto& c = subfacets_[id].corners;
     const Point2 a = project(tr, frame, c[0]);
     const Vector2 u = project(tr, frame, c[1]) - a, v = project(tr, frame, c[2]) - a;
-    const double uu = squared_length(u), vv = squared_length(v), scale = 0.5 / cross(u, v);
-    return frame.lift(a + Vector2{(uu * v.y - vv * u.y) * scale, (vv * u.x - uu * v.x) * scale});
+    return frame.lift(a + to_circumcentre(u, v, cross(u, v)));
   }
   /// Whether a point of the facet is strictly inside the circumcircle of a subfacet.
   bool in_circumcircle(const Tr& tr, Id id, Point3 p) const {
@@ -154,6 +157,12 @@ class FacetComplex {
     subfacets_[id] = Subfacet{};
     subfacets_[id].facet = facet;
     subfacets_[id].corners = corners;
+    return id;
+  }
+  /// A part of a subfacet.
+  Id allocate_part(Id of, std::array<Vertex, 3> corners) {
+    const Id id = allocate(subfacets_[of].facet, corners);
+    subfacets_[id].regions = subfacets_[of].regions;
     return id;
   }
   void connect(SimplexTable<2>& open, const SimplexTable<2>& segments, Id id, int i, const std::array<PolyhedralDomain::Index, 3>& t) {

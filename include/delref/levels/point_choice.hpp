@@ -7,6 +7,7 @@
 #include <concepts>
 
 #include <delref/criteria/angle_bound.hpp>
+#include <delref/criteria/circumcentre.hpp>
 #include <delref/criteria/triangle_shape.hpp>
 
 namespace delref {
@@ -33,8 +34,7 @@ struct Circumcentre {
   /// The circumcentre less corner `i`.
   static Vector2 offset(const TriangleShape& t, std::size_t i) {
     const Vector2 u = t.corners[(i + 1) % 3] - t.corners[i], v = t.corners[(i + 2) % 3] - t.corners[i];
-    const double uu = squared_length(u), vv = squared_length(v), scale = 0.5 / t.doubled_area;
-    return {(uu * v.y - vv * u.y) * scale, (vv * u.x - uu * v.x) * scale};
+    return to_circumcentre(u, v, t.doubled_area);
   }
 };
 

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Regions of cells while a facet has a gap. A cell that is made when a subfacet was destroyed may reach to both sides of its facet:
-// its region is unsure until the facet is whole again, and then that of the cells around it.
+// its region is unsure until the facet is whole again, and then what the facets and the cells around it say.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
+#include <delref/domain/polyhedral_domain.hpp>
 #include <delref/triangulation/spatial_concept.hpp>
 
 namespace delref {
@@ -48,32 +49,37 @@ class RegionRepair {
     const auto v = tr.vertices(c);
     const Point3 o = tr.point(v[0]);
     const Vector3 a = tr.point(v[1]) - o, b = tr.point(v[2]) - o, d = tr.point(v[3]) - o;
-    const double volume = sixfold_volume(tr, c);
-    return volume * volume <= 1e-18 * squared_length(a) * squared_length(b) * squared_length(d);
+    const double volume = dot(a, cross(b, d)), longest = std::max({squared_length(a), squared_length(b), squared_length(d)});
+    double rounding = 0;
+    for (const auto w : v) rounding = std::max(rounding, 8 * rounding_near(tr.point(w)) * longest);
+    return volume * volume <= std::max(1e-18 * squared_length(a) * squared_length(b) * squared_length(d), rounding * rounding);
   }
 
-  /// To be called when no facet has a gap: every unsure cell takes the region that it is connected to, and so do the flat cells on
-  /// the way there; cells that are connected to nothing sure, that which most of their volume was thought to be in. The settled
-  /// cells are listed until the next call of `settle` or `forget`.
-  void settle(Tr& tr) {
+  /// To be called when no facet has a gap: unsure cells, and the flat ones that they are connected to, take the region that most of the
+  /// area around them says. `beside(f)` is the region at a marked facet, on the side of its cell. The settled cells are listed until
+  /// the next call of `settle` or `forget`.
+  template <class Beside>
+  void settle(Tr& tr, Beside&& beside) {
     settled_.clear();
     for (const Cell first : cells_) {
       if (!is_unsure(tr, first)) continue;  // it was settled with another
       group_.clear();
       votes_.clear();
       visit(tr, first);
-      std::optional<int> region;
       for (std::size_t k = 0; k < group_.size(); ++k)
         for (int i = 0; i < 4; ++i) {
           const auto f = tr.facet(group_[k], i);
-          if (tr.is_marked(f)) continue;
+          if (tr.is_marked(f)) {
+            vote(tr, beside(f), f);
+            continue;
+          }
           const Cell next = tr.cell(tr.mirror(f));
           if (tr.region(next) == visited) continue;
           if (is_unsure(tr, next) || is_flat(tr, next)) visit(tr, next);
-          else region = std::max(region.value_or(-1), tr.region(next));
+          else vote(tr, tr.region(next), f);
         }
-      if (!region) region = std::ranges::max_element(votes_, {}, &Vote::volume)->region;
-      for (const Cell c : group_) tr.set_region(c, *region);
+      const int region = votes_.empty() ? -1 : std::ranges::max_element(votes_, {}, &Vote::area)->region;
+      for (const Cell c : group_) tr.set_region(c, region);
       settled_.insert(settled_.end(), group_.begin(), group_.end());
     }
     cells_.clear();
@@ -91,22 +97,19 @@ class RegionRepair {
   static constexpr int visited = -3, unsure_from = -10;
   struct Vote {
     int region = -1;
-    double volume = 0;
+    double area = 0;
   };
 
   static int thought(const Tr& tr, Cell c) { return is_unsure(tr, c) ? unsure_from - 1 - tr.region(c) : tr.region(c); }
   void visit(Tr& tr, Cell c) {
-    const int region = thought(tr, c);
-    auto vote = std::ranges::find(votes_, region, &Vote::region);
-    if (vote == votes_.end()) vote = votes_.insert(vote, {region, 0});
-    vote->volume += sixfold_volume(tr, c);
     tr.set_region(c, visited);
     group_.push_back(c);
   }
-  static double sixfold_volume(const Tr& tr, Cell c) {
-    const auto v = tr.vertices(c);
-    const Point3 o = tr.point(v[0]);
-    return dot(tr.point(v[1]) - o, cross(tr.point(v[2]) - o, tr.point(v[3]) - o));
+  void vote(const Tr& tr, int region, const typename Tr::Facet& f) {
+    auto vote = std::ranges::find(votes_, region, &Vote::region);
+    if (vote == votes_.end()) vote = votes_.insert(vote, {region, 0});
+    const auto [a, b, c] = tr.vertices(f);
+    vote->area += std::sqrt(squared_length(cross(tr.point(b) - tr.point(a), tr.point(c) - tr.point(a))));
   }
 
   std::vector<Vote> votes_;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where a subsegment is split: in the middle, or, on a segment with a sharp corner, where all segments of that corner are split
-// too. After Ruppert's concentric shells at powers of two (1995, section 6), here at every distance from the corner.
+// Where a subsegment is split, in the plane and in space: in the middle, or, on a segment with a sharp corner, where all segments of
+// that corner are split too. After Ruppert's concentric shells at powers of two (1995, section 6), here at every distance from the
+// corner.
 #pragma once
 
 #include <algorithm>
@@ -20,32 +21,59 @@ inline double simplest_between(double low, double high) {
   return best;
 }
 
-/// The point of the line through `p` and `q` whose greater coordinate, by the line's direction, is that of `m`. Off the line by half
-/// a unit in the last place of the other coordinate, where `long double` is longer than `double`, and a few units elsewhere.
-inline Point2 onto_line(Point2 m, Point2 p, Point2 q) {
-  const long double dx = static_cast<long double>(q.x) - p.x, dy = static_cast<long double>(q.y) - p.y;
-  if (std::abs(dx) >= std::abs(dy)) return {m.x, static_cast<double>(p.y + (m.x - static_cast<long double>(p.x)) * (dy / dx))};
-  return {static_cast<double>(p.x + (m.y - static_cast<long double>(p.y)) * (dx / dy)), m.y};
+/// The coordinate in whose direction a vector is longest.
+inline double Point2::* main_coordinate(Vector2 v) { return std::abs(v.x) >= std::abs(v.y) ? &Point2::x : &Point2::y; }
+inline double Point3::* main_coordinate(Vector3 v) {
+  const double x = std::abs(v.x), y = std::abs(v.y), z = std::abs(v.z);
+  return x >= y && x >= z ? &Point3::x : (y >= z ? &Point3::y : &Point3::z);
 }
 
-/// Whether `m` is strictly between `a` and `b` by the greater coordinate of the line's direction.
-inline bool is_between(Point2 m, Point2 a, Point2 b, Vector2 along) {
-  return std::abs(along.x) >= std::abs(along.y) ? std::min(a.x, b.x) < m.x && m.x < std::max(a.x, b.x)
-                                                : std::min(a.y, b.y) < m.y && m.y < std::max(a.y, b.y);
+namespace detail {
+
+inline double part_of_way(double from, double to, long double t) {
+  return static_cast<double>(from + t * (static_cast<long double>(to) - from));
+}
+inline Point2 part_of_way(Point2 p, Point2 q, long double t) { return {part_of_way(p.x, q.x, t), part_of_way(p.y, q.y, t)}; }
+inline Point3 part_of_way(Point3 p, Point3 q, long double t) {
+  return {part_of_way(p.x, q.x, t), part_of_way(p.y, q.y, t), part_of_way(p.z, q.z, t)};
+}
+inline double length(Vector2 v) { return std::hypot(v.x, v.y); }
+inline double length(Vector3 v) { return std::sqrt(squared_length(v)); }
+
+}  // namespace detail
+
+/// The point of the line through `p` and `q` whose main coordinate, by the line's direction, is that of `m`. Off the line by half a unit
+/// in the last place of each other coordinate, where `long double` is longer than `double`, and a few units elsewhere.
+template <class Point>
+Point onto_line(Point m, Point p, Point q) {
+  const auto k = main_coordinate(q - p);
+  Point r = detail::part_of_way(p, q, (m.*k - static_cast<long double>(p.*k)) / (q.*k - static_cast<long double>(p.*k)));
+  r.*k = m.*k;
+  return r;
+}
+
+/// Whether `m` is strictly between `a` and `b` by the main coordinate of `along`.
+template <class Point, class Vector>
+bool is_between(Point m, Point a, Point b, Vector along) {
+  const auto k = main_coordinate(along);
+  return std::min(a.*k, b.*k) < m.*k && m.*k < std::max(a.*k, b.*k);
 }
 
 /// The split point of the subsegment from `a` to `b` of the segment from `p` to `q`: its middle. `a` when no double is between.
-inline Point2 split_point(Point2 a, Point2 b, Point2 p, Point2 q) {
-  const Point2 m = onto_line(midpoint(a, b), p, q);
+template <class Point>
+Point split_point(Point a, Point b, Point p, Point q) {
+  const Point m = onto_line(midpoint(a, b), p, q);
   return is_between(m, a, b, q - p) ? m : a;
 }
 
-/// The same for a segment with a sharp corner at `p`: the simplest distance from `p` in the middle third.
-inline Point2 split_point_near_corner(Point2 a, Point2 b, Point2 p, Point2 q) {
-  const auto distance = [&](Point2 x) { return std::hypot(x.x - p.x, x.y - p.y); };
+/// The same for a segment with a sharp corner at `p`: the simplest distance from `p` in the middle third, times `stretch`, which is
+/// near 1.
+template <class Point>
+Point split_point_near_corner(Point a, Point b, Point p, Point q, double stretch = 1) {
+  const auto distance = [&](Point x) { return detail::length(x - p); };
   const double from = std::min(distance(a), distance(b)), to = std::max(distance(a), distance(b));
-  const double at = simplest_between(from + (to - from) / 3, to - (to - from) / 3);
-  const Point2 m = onto_line(p + (at / distance(q)) * (q - p), p, q);
+  const double at = stretch * simplest_between(from + (to - from) / 3, to - (to - from) / 3);
+  const Point m = onto_line(p + (at / distance(q)) * (q - p), p, q);
   return is_between(m, a, b, q - p) ? m : split_point(a, b, p, q);
 }
 

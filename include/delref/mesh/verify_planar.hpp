@@ -16,6 +16,7 @@
 #include <delref/mesh/verify/chains.hpp>
 #include <delref/mesh/verify/check_criteria.hpp>
 #include <delref/mesh/verify/check_delaunay.hpp>
+#include <delref/mesh/verify/check_list.hpp>
 #include <delref/mesh/verify/check_segments.hpp>
 #include <delref/mesh/verify/check_structure.hpp>
 #include <delref/mesh/verify/check_tiling.hpp>
@@ -34,68 +35,42 @@ class PlanarVerification {
 
   VerifyReport run() && {
     const bool sound = structure() && place_in_input();
-    if (!sound) skip_rest("needs what failed above");
+    if (!sound) list_.skip_rest(all_checks, "needs what failed above");
     return std::move(report_);
   }
 
  private:
-  /// Makes one check; whether it passed.
-  template <class Check>
-  bool check(const char* name, Check&& make) {
-    report_.findings.push_back({});
-    Finding& finding = report_.findings.back();
-    finding.name = name;
-    finding.status = CheckStatus::passed;
-    make(finding);
-    return finding.status == CheckStatus::passed;
-  }
-  /// Makes a check when it is asked for, or else writes down why not.
-  template <class Check>
-  void check_if(bool wanted, const char* name, const char* why_not, Check&& make) {
-    if (wanted) check(name, make);
-    else skip(name, why_not);
-  }
-  void skip(const char* name, const char* why) {
-    report_.findings.push_back({});
-    report_.findings.back().name = name;
-    report_.findings.back().note = why;
-  }
-  void skip_rest(const char* why) {
-    for (const char* name : all_checks)
-      if (!report_.find(name)) skip(name, why);
-  }
-
   bool structure() {
     const Subject& s = subject_;
-    if (!check(all_checks[0], [&](Finding& f) { check_input(s, f); })) return false;
-    if (!check(all_checks[1], [&](Finding& f) { check_indices(s, f); })) return false;
-    if (!check(all_checks[2], [&](Finding& f) { check_orientation(s, f); })) return false;
+    if (!list_.check(all_checks[0], [&](Finding& f) { check_input(s, f); })) return false;
+    if (!list_.check(all_checks[1], [&](Finding& f) { check_indices(s, f); })) return false;
+    if (!list_.check(all_checks[2], [&](Finding& f) { check_orientation(s, f); })) return false;
     topology_.emplace(s.mesh);
-    if (!check(all_checks[3], [&](Finding& f) { check_edges(s, *topology_, f); })) return false;
-    return check(all_checks[4], [&](Finding& f) { check_stars(s, *topology_, f); });
+    if (!list_.check(all_checks[3], [&](Finding& f) { check_edges(s, *topology_, f); })) return false;
+    return list_.check(all_checks[4], [&](Finding& f) { check_stars(s, *topology_, f); });
   }
 
   bool place_in_input() {
     const Subject& s = subject_;
     domain_.emplace(s.input, s.input_points, s.scaling, s.control);
-    const bool usable = check(all_checks[5], [&](Finding& f) {
+    const bool usable = list_.check(all_checks[5], [&](Finding& f) {
       f.examined = 1;
       for (const std::string& problem : domain_->problems()) f.fail([&] { return problem; });
     });
     if (!usable) return false;
     chains_.emplace(s, *domain_, *topology_);
-    const bool vertices = check(all_checks[6], [&](Finding& f) { check_input_vertices(s, *domain_, *chains_, f); });
-    const bool segments = check(all_checks[7], [&](Finding& f) { check_chains(s, *domain_, *chains_, f); });
+    const bool vertices = list_.check(all_checks[6], [&](Finding& f) { check_input_vertices(s, *domain_, *chains_, f); });
+    const bool segments = list_.check(all_checks[7], [&](Finding& f) { check_chains(s, *domain_, *chains_, f); });
     if (!vertices || !segments) return false;
-    check(all_checks[8], [&](Finding& f) { check_positions(s, *domain_, *chains_, f); });
+    list_.check(all_checks[8], [&](Finding& f) { check_positions(s, *domain_, *chains_, f); });
     components_.emplace(s, *domain_, *topology_, *chains_);
-    if (!check(all_checks[9], [&](Finding& f) { check_tiling(s, *domain_, *topology_, *chains_, *components_, f); })) {
+    if (!list_.check(all_checks[9], [&](Finding& f) { check_tiling(s, *domain_, *topology_, *chains_, *components_, f); })) {
       labels();
       delaunay();
       return false;
     }
-    check_if(!s.mesh.regions.empty(), all_checks[10], "the mesh carries none",
-             [&](Finding& f) { check_regions(s, *domain_, *components_, f); });
+    list_.check_if(!s.mesh.regions.empty(), all_checks[10], "the mesh carries none",
+                   [&](Finding& f) { check_regions(s, *domain_, *components_, f); });
     labels();
     delaunay();
     criteria();
@@ -105,36 +80,36 @@ class PlanarVerification {
   void labels() {
     const Subject& s = subject_;
     const char* absent = "the mesh carries none";
-    check_if(!s.mesh.edges.empty(), all_checks[11], absent,
-             [&](Finding& f) { check_subsegment_list(s, *domain_, *topology_, *chains_, f); });
-    check_if(!s.mesh.edge_markers.empty(), all_checks[12], absent,
-             [&](Finding& f) { check_edge_markers(s, *domain_, *topology_, *chains_, f); });
-    check_if(!s.mesh.carriers.empty(), all_checks[13], absent,
-             [&](Finding& f) { check_carriers(s, *domain_, *topology_, *chains_, f); });
-    check_if(!s.mesh.point_markers.empty(), all_checks[14], absent,
-             [&](Finding& f) { check_point_markers(s, *domain_, *topology_, *chains_, f); });
-    check_if(!s.mesh.provenance.empty(), all_checks[15], absent,
-             [&](Finding& f) { check_provenance(s, *topology_, *chains_, f); });
+    list_.check_if(!s.mesh.edges.empty(), all_checks[11], absent,
+                   [&](Finding& f) { check_subsegment_list(s, *domain_, *topology_, *chains_, f); });
+    list_.check_if(!s.mesh.edge_markers.empty(), all_checks[12], absent,
+                   [&](Finding& f) { check_edge_markers(s, *domain_, *topology_, *chains_, f); });
+    list_.check_if(!s.mesh.carriers.empty(), all_checks[13], absent,
+                   [&](Finding& f) { check_carriers(s, *domain_, *topology_, *chains_, f); });
+    list_.check_if(!s.mesh.point_markers.empty(), all_checks[14], absent,
+                   [&](Finding& f) { check_point_markers(s, *domain_, *topology_, *chains_, f); });
+    list_.check_if(!s.mesh.provenance.empty(), all_checks[15], absent,
+                   [&](Finding& f) { check_provenance(s, *topology_, *chains_, f); });
   }
 
   void delaunay() {
     const Subject& s = subject_;
     const char* not_asked = "promised only with encroachment by circles";
-    check(all_checks[16], [&](Finding& f) { check_constrained_delaunay(s, *topology_, *chains_, f); });
+    list_.check(all_checks[16], [&](Finding& f) { check_constrained_delaunay(s, *topology_, *chains_, f); });
     const SmallAngles small_angles(s, *domain_, *chains_);
-    check_if(criteria_.circle, all_checks[17], not_asked,
-             [&](Finding& f) { check_conforming_delaunay(s, *topology_, *chains_, small_angles, shortfalls_, f); });
-    check_if(criteria_.circle, all_checks[18], not_asked,
-             [&](Finding& f) { check_encroachment(s, *topology_, *chains_, small_angles, shortfalls_, f); });
+    list_.check_if(criteria_.circle, all_checks[17], not_asked,
+                   [&](Finding& f) { check_conforming_delaunay(s, *topology_, *chains_, small_angles, shortfalls_, f); });
+    list_.check_if(criteria_.circle, all_checks[18], not_asked,
+                   [&](Finding& f) { check_encroachment(s, *topology_, *chains_, small_angles, shortfalls_, f); });
   }
 
   void criteria() {
     const Subject& s = subject_;
     const SmallAngles small_angles(s, *domain_, *chains_);
-    check(all_checks[19], [&](Finding& f) { check_angles(s, criteria_, small_angles, shortfalls_, report_, f); });
-    check(all_checks[20], [&](Finding& f) { check_areas(s, criteria_, *domain_, *components_, shortfalls_, f); });
-    check_if(std::isfinite(criteria_.max_edge), all_checks[21], "no bound", [&](Finding& f) { check_edge_lengths(s, criteria_, shortfalls_, f); });
-    check_if(static_cast<bool>(criteria_.size), all_checks[22], "no bound", [&](Finding& f) { check_sizes(s, criteria_, shortfalls_, f); });
+    list_.check(all_checks[19], [&](Finding& f) { check_angles(s, criteria_, small_angles, shortfalls_, report_, f); });
+    list_.check(all_checks[20], [&](Finding& f) { check_areas(s, criteria_, *domain_, *components_, shortfalls_, f); });
+    list_.check_if(std::isfinite(criteria_.max_edge), all_checks[21], "no bound", [&](Finding& f) { check_edge_lengths(s, criteria_, shortfalls_, f); });
+    list_.check_if(static_cast<bool>(criteria_.size), all_checks[22], "no bound", [&](Finding& f) { check_sizes(s, criteria_, shortfalls_, f); });
   }
 
   static constexpr const char* all_checks[] = {
@@ -150,6 +125,7 @@ class PlanarVerification {
   Subject subject_;
   const PlanarCriteria& criteria_;
   VerifyReport report_;
+  CheckList list_{report_};
   Shortfalls<Point2> shortfalls_;
   std::optional<MeshTopology> topology_;
   std::optional<InputDomain> domain_;

@@ -14,6 +14,7 @@
 #include <delref/core/budget.hpp>
 #include <delref/domain/plc.hpp>
 #include <delref/mesh/tetrahedral_mesh.hpp>
+#include <delref/mesh/verify/check_list.hpp>
 #include <delref/mesh/verify/report.hpp>
 #include <delref/mesh/verify_3/chains.hpp>
 #include <delref/mesh/verify_3/check_criteria.hpp>
@@ -37,51 +38,26 @@ class PolyhedralVerification {
 
   VerifyReport run() && {
     if (structure()) {
-      check(all_checks[18], [&](Finding& f) { check_delaunay(subject_, *topology_, f); });
+      list_.check(all_checks[18], [&](Finding& f) { check_delaunay(subject_, *topology_, f); });
       if (segments_and_facets() && domain()) {
         labels();
         criteria();
       }
     }
-    for (const char* name : all_checks)
-      if (!report_.find(name)) skip(name, "needs what failed above");
+    list_.skip_rest(all_checks, "needs what failed above");
     std::ranges::sort(report_.findings, {},
                       [](const Finding& f) { return std::ranges::find(all_checks, f.name) - std::begin(all_checks); });
     return std::move(report_);
   }
 
  private:
-  /// Makes one check; whether it passed.
-  template <class Check>
-  bool check(const char* name, Check&& make) {
-    report_.findings.push_back({});
-    Finding& finding = report_.findings.back();
-    finding.name = name;
-    finding.status = CheckStatus::passed;
-    make(finding);
-    return finding.status == CheckStatus::passed;
-  }
-  /// Makes a check when it is asked for, or else writes down why not.
-  template <class Check>
-  void check_if(bool wanted, const char* name, const char* why_not, Check&& make) {
-    if (wanted)
-      check(name, make);
-    else
-      skip(name, why_not);
-  }
-  void skip(const char* name, const char* why) {
-    report_.findings.push_back({});
-    report_.findings.back().name = name;
-    report_.findings.back().note = why;
-  }
-
   bool structure() {
     const Subject& s = subject_;
-    if (!check(all_checks[0], [&](Finding& f) { check_input(s, f); })) return false;
-    if (!check(all_checks[1], [&](Finding& f) { check_indices(s, f); })) return false;
-    if (!check(all_checks[2], [&](Finding& f) { check_orientation(s, f); })) return false;
+    if (!list_.check(all_checks[0], [&](Finding& f) { check_input(s, f); })) return false;
+    if (!list_.check(all_checks[1], [&](Finding& f) { check_indices(s, f); })) return false;
+    if (!list_.check(all_checks[2], [&](Finding& f) { check_orientation(s, f); })) return false;
     topology_.emplace(s.mesh, s.control);
-    return check(all_checks[3], [&](Finding& f) { check_faces(s, *topology_, f); });
+    return list_.check(all_checks[3], [&](Finding& f) { check_faces(s, *topology_, f); });
   }
 
   bool segments_and_facets() {
@@ -92,34 +68,34 @@ class PolyhedralVerification {
     present_.assign(complex_->groups().size(), false);
     for (const Index g : group_of_)
       if (g != none) present_[g] = true;
-    const bool vertices = check(all_checks[4], [&](Finding& f) { check_input_vertices(s, *complex_, *chains_, present_, f); });
-    const bool segments = check(all_checks[5], [&](Finding& f) { check_chains(s, *complex_, *chains_, present_, f); });
-    check(all_checks[6], [&](Finding& f) { check_positions(s, *complex_, *chains_, f); });
+    const bool vertices = list_.check(all_checks[4], [&](Finding& f) { check_input_vertices(s, *complex_, *chains_, present_, f); });
+    const bool segments = list_.check(all_checks[5], [&](Finding& f) { check_chains(s, *complex_, *chains_, present_, f); });
+    list_.check(all_checks[6], [&](Finding& f) { check_positions(s, *complex_, *chains_, f); });
     const char* absent = "the mesh carries none";
-    check_if(!s.mesh.edges.empty(), all_checks[7], absent, [&](Finding& f) { check_edge_list(s, *chains_, f); });
-    check_if(!s.mesh.edge_markers.empty(), all_checks[8], absent,
-             [&](Finding& f) { check_edge_markers(s, *complex_, *chains_, f); });
-    if (!check(all_checks[9], [&](Finding& f) { check_planes(s, *complex_, group_of_, f); })) return false;
-    check_if(!s.mesh.triangle_markers.empty(), all_checks[11], absent,
-             [&](Finding& f) { check_triangle_markers(s, *complex_, group_of_, f); });
+    list_.check_if(!s.mesh.edges.empty(), all_checks[7], absent, [&](Finding& f) { check_edge_list(s, *chains_, f); });
+    list_.check_if(!s.mesh.edge_markers.empty(), all_checks[8], absent,
+                   [&](Finding& f) { check_edge_markers(s, *complex_, *chains_, f); });
+    if (!list_.check(all_checks[9], [&](Finding& f) { check_planes(s, *complex_, group_of_, f); })) return false;
+    list_.check_if(!s.mesh.triangle_markers.empty(), all_checks[11], absent,
+                   [&](Finding& f) { check_triangle_markers(s, *complex_, group_of_, f); });
     const bool covered = vertices && segments &&
-                         check(all_checks[10], [&](Finding& f) { check_cover(s, *complex_, *chains_, group_of_, present_, f); });
+                         list_.check(all_checks[10], [&](Finding& f) { check_cover(s, *complex_, *chains_, group_of_, present_, f); });
     return covered;
   }
 
   bool domain() {
     const Subject& s = subject_;
     rooms_.emplace(s, *complex_, *chains_, group_of_, present_);
-    const bool filled = check(all_checks[12], [&](Finding& f) {
+    const bool filled = list_.check(all_checks[12], [&](Finding& f) {
       for (const std::string& problem : rooms_->problems()) f.fail([&] { return problem; });
       room_of_.emplace(s, *topology_, *rooms_);
       check_tiling(s, *complex_, *topology_, *rooms_, *room_of_, f);
     });
     if (!filled) return false;
-    check(all_checks[13], [&](Finding& f) { check_volumes(s, *complex_, *rooms_, *room_of_, f); });
-    check_if(!s.mesh.regions.empty(), all_checks[14], "the mesh carries none",
-             [&](Finding& f) { check_regions(s, *rooms_, *room_of_, f); });
-    check(all_checks[23], [&](Finding& f) { check_isolated(s, *complex_, *topology_, *chains_, *rooms_, f); });
+    list_.check(all_checks[13], [&](Finding& f) { check_volumes(s, *complex_, *rooms_, *room_of_, f); });
+    list_.check_if(!s.mesh.regions.empty(), all_checks[14], "the mesh carries none",
+                   [&](Finding& f) { check_regions(s, *rooms_, *room_of_, f); });
+    list_.check(all_checks[23], [&](Finding& f) { check_isolated(s, *complex_, *topology_, *chains_, *rooms_, f); });
     return true;
   }
 
@@ -127,20 +103,20 @@ class PolyhedralVerification {
     const Subject& s = subject_;
     elements_.emplace(s, *complex_, *chains_, group_of_);
     const char* absent = "the mesh carries none";
-    check_if(!s.mesh.carriers.empty(), all_checks[15], absent, [&](Finding& f) { check_carriers(s, *chains_, *elements_, f); });
-    check_if(!s.mesh.point_markers.empty(), all_checks[16], absent,
-             [&](Finding& f) { check_point_markers(s, *complex_, *chains_, *elements_, f); });
-    check_if(!s.mesh.provenance.empty(), all_checks[17], absent, [&](Finding& f) { check_provenance(s, *chains_, f); });
+    list_.check_if(!s.mesh.carriers.empty(), all_checks[15], absent, [&](Finding& f) { check_carriers(s, *chains_, *elements_, f); });
+    list_.check_if(!s.mesh.point_markers.empty(), all_checks[16], absent,
+                   [&](Finding& f) { check_point_markers(s, *complex_, *chains_, *elements_, f); });
+    list_.check_if(!s.mesh.provenance.empty(), all_checks[17], absent, [&](Finding& f) { check_provenance(s, *chains_, f); });
   }
 
   void criteria() {
     const Subject& s = subject_;
-    const SmallAngles small_angles(s, *complex_, *chains_, group_of_, *elements_);
-    check(all_checks[19], [&](Finding& f) { check_radius_edge(s, small_angles, shortfalls_, report_, f); });
-    check(all_checks[20], [&](Finding& f) { check_volume_bounds(s, *rooms_, *room_of_, shortfalls_, f); });
-    check_if(std::isfinite(s.criteria.cell_size), all_checks[21], "no bound",
-             [&](Finding& f) { check_cell_sizes(s, shortfalls_, f); });
-    check_if(static_cast<bool>(s.criteria.size), all_checks[22], "no bound", [&](Finding& f) { check_sizes(s, shortfalls_, f); });
+    SmallAngles small_angles(s, *complex_, *chains_, group_of_, *elements_);
+    list_.check(all_checks[19], [&](Finding& f) { check_radius_edge(s, small_angles, shortfalls_, report_, f); });
+    list_.check(all_checks[20], [&](Finding& f) { check_volume_bounds(s, *rooms_, *room_of_, shortfalls_, f); });
+    list_.check_if(std::isfinite(s.criteria.cell_size), all_checks[21], "no bound",
+                   [&](Finding& f) { check_cell_sizes(s, shortfalls_, f); });
+    list_.check_if(static_cast<bool>(s.criteria.size), all_checks[22], "no bound", [&](Finding& f) { check_sizes(s, shortfalls_, f); });
   }
 
   static constexpr const char* all_checks[] = {"the input is usable",
@@ -170,6 +146,7 @@ class PolyhedralVerification {
 
   Subject subject_;
   VerifyReport report_;
+  verification::CheckList list_{report_};
   Shortfalls shortfalls_;
   std::optional<MeshTopology> topology_;
   std::optional<InputComplex> complex_;
@@ -195,8 +172,8 @@ class PolyhedralVerification {
 /// coordinate of the facet, and three times what the facet's own vertices are off its plane; volumes 1e-9, and that distance
 /// times the facets' area; sizes and ratios 1e-9 relative; angles 1e-6 degrees. Orientation, the Delaunay property and the order
 /// of facets around segments are exact. A radius-edge ratio over the bound is excused when a corner of the tetrahedron is within
-/// twice its longest edge of a segment or vertex where input elements meet under 90 degrees, or when two corners lie on two such
-/// elements.
+/// twice its longest edge of a segment or vertex where input elements meet under 90 degrees, or lies on one of two such elements
+/// and is within that distance of a vertex on the other.
 ///
 /// Never throws for a bad mesh or a bad input: that is what the report is for. Throws `Interrupted` when `control` says stop. O(n
 /// log n), and one pass over the facets' triangles for each seed and each body that touches no other.

@@ -12,7 +12,8 @@
 // The laws, for each level:
 //  - scanning twice gives the same set, whatever the set held before;
 //  - its set is empty when the refinement is complete, and then it finds no element that violates its rule, but those given up;
-//  - an element leaves the set by being popped or by dying, and in no other way; a dying element leaves it before the insertion;
+//  - an element leaves the set by being popped or by dying, and in no other way; a dying element leaves it before the insertion,
+//    or, where the level keeps its elements in a table of its own (it has the member `holds`), when the table loses it;
 //  - who rejects a point has work of its own, and it is never a point of its own; who rejects for ever leaves its set as it is;
 // and for the whole run: it ends, and run again it does the same, event by event.
 #pragma once

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <functional>
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -40,8 +42,7 @@ class WatchedLevel {
   /// What waits in its set, sorted; empty when `L` does not list it.
   std::vector<Key> queued_keys(const Tr& tr) const {
     std::vector<Key> keys;
-    level_options::for_each_queued(level_, [&](const Element& e) { keys.push_back(key(tr, e)); });
-    std::ranges::sort(keys);
+    for (const Listed& e : listed(tr)) keys.push_back(e.key);
     return keys;
   }
 
@@ -51,7 +52,7 @@ class WatchedLevel {
   Element next_element() { return level_.next_element(); }
   void pop_next_element(Tr& tr) {
     std::vector<Key> before = queued_keys(tr);
-    const Key next = key(tr, level_.next_element());
+    const Key next = list(tr, level_.next_element()).key;
     level_.pop_next_element(tr);
     if (!lists) return;
     if (const auto found = std::ranges::find(before, next); found != before.end()) before.erase(found);
@@ -64,22 +65,26 @@ class WatchedLevel {
   }
 
   void before_insertion(Tr& tr, const Proposal<Tr>& proposal) {
-    std::vector<Key> expected = queued_keys(tr);
-    const std::vector<Key> dying = dying_of(tr, *proposal.zone);
+    std::vector<Listed> expected = listed(tr);
+    const std::vector<Listed> dying = dying_of(tr, *proposal.zone);
+    changing_ = changing_of(tr, *proposal.zone);
     level_.before_insertion(tr, proposal);
-    const std::vector<Key> still_there = dying_of(tr, *proposal.zone);
+    const std::vector<Listed> still_there = dying_of(tr, *proposal.zone);
     if (!still_there.empty()) {
-      breach("keeps a dying element in its set", words(still_there.front()) + ", when " + describe(tr, proposal) + " is killed");
+      breach("keeps a dying element in its set", words(still_there.front().key) + ", when " + describe(tr, proposal) + " is killed");
       book_->end_run();
     }
-    if (!lists || !tells_death) return;
-    for (const Key& k : dying) expected.erase(std::ranges::find(expected, k));
-    expect_kept(tr, expected, proposal);
+    // Listed now: after the insertion an element may be known by a handle that is no more.
+    kept_ = without_changing(listed(tr));
+    if (!lists || (!tells_death && !knows_dead)) return;
+    for (const Listed& e : dying) expected.erase(std::ranges::find(expected, e));
+    expect_kept(tr, without_changing(expected), proposal);
   }
   void after_insertion(Tr& tr, typename Tr::Vertex v, const Proposal<Tr>& proposal) {
-    const std::vector<Key> before = queued_keys(tr);
     level_.after_insertion(tr, v, proposal);
-    expect_kept(tr, before, proposal);
+    expect_kept(tr, kept_, proposal);
+    for (const Listed& e : listed(tr))
+      if (is_dead(tr, e)) breach("keeps a dead element in its set", words(e.key) + ", after " + describe(tr, proposal) + " was killed");
   }
 
   // -- the optional members
@@ -118,26 +123,56 @@ class WatchedLevel {
   std::string unmet_criterion(const Tr& tr, const Element& e) const requires requires(const L& l) { l.unmet_criterion(tr, e); } {
     return std::string(level_.unmet_criterion(tr, e));
   }
+  bool holds(const Tr& tr, std::span<const typename Tr::Vertex> vertices) const
+    requires requires(const L& l) { l.holds(tr, vertices); }
+  {
+    return level_.holds(tr, vertices);
+  }
+  std::size_t queued() const requires requires(const L& l) { std::size_t{l.queued()}; } { return level_.queued(); }
   template <class F>
   void for_each_queued(F&& f) const requires requires(const L& l) { l.for_each_queued(f); } { level_.for_each_queued(f); }
 
  private:
   static constexpr bool lists = requires(const L& l, std::function<void(const Element&)> f) { l.for_each_queued(f); };
+  /// It says itself which of its elements are no more.
+  static constexpr bool knows_dead =
+      requires(const L& l, const Tr& tr, std::span<const typename Tr::Vertex> v) { l.holds(tr, v); };
+  /// Its elements die before the insertion: not those of a table of its own, which it may change after it.
   static constexpr bool tells_death =
-      StoresElement<Tr, Element> || requires(const L& l, const Tr& tr, const Element& e, const Zone& zone) { l.dies(tr, e, zone); };
+      StoresElement<Tr, Element> ||
+      (!knows_dead && requires(const L& l, const Tr& tr, const Element& e, const Zone& zone) { l.dies(tr, e, zone); });
 
-  Key key(const Tr& tr, const Element& e) const {
-    Key result;
-    result.fill(std::numeric_limits<std::size_t>::max());
-    std::size_t count = 0;
-    for (const auto v : level_options::element_vertices(level_, tr, e))
-      if (count < result.size()) result[count++] = tr.index(v);
-    std::ranges::sort(result);
+  /// An element of its set, which may have died since.
+  struct Listed {
+    Key key;
+    std::vector<typename Tr::Vertex> vertices;
+    friend bool operator==(const Listed& a, const Listed& b) { return a.key == b.key; }
+    friend auto operator<=>(const Listed& a, const Listed& b) { return a.key <=> b.key; }
+  };
+  Listed list(const Tr& tr, const Element& e) const {
+    Listed result;
+    result.key.fill(std::numeric_limits<std::size_t>::max());
+    for (const auto v : level_options::element_vertices(level_, tr, e)) {
+      if (result.vertices.size() == result.key.size()) break;
+      result.key[result.vertices.size()] = tr.index(v);
+      result.vertices.push_back(v);
+    }
+    std::ranges::sort(result.key);
     return result;
   }
-  static std::string words(const Key& k) {
+  std::vector<Listed> listed(const Tr& tr) const {
+    std::vector<Listed> elements;
+    level_options::for_each_queued(level_, [&](const Element& e) { elements.push_back(list(tr, e)); });
+    std::ranges::sort(elements);
+    return elements;
+  }
+  bool is_dead(const Tr& tr, const Listed& e) const {
+    if constexpr (knows_dead) return !level_.holds(tr, std::span<const typename Tr::Vertex>(e.vertices));
+    else return false;
+  }
+  static std::string words(const Key& key) {
     std::string text = "vertices";
-    for (const std::size_t v : k)
+    for (const std::size_t v : key)
       if (v != std::numeric_limits<std::size_t>::max()) text += " " + std::to_string(v);
     return text;
   }
@@ -149,40 +184,63 @@ class WatchedLevel {
   void breach(std::string_view law, std::string_view where) { book_->breach(who_, law, where); }
 
   /// The elements of its set that the zone kills.
-  std::vector<Key> dying_of(const Tr& tr, const Zone& zone) {
-    std::vector<Key> keys;
+  std::vector<Listed> dying_of(const Tr& tr, const Zone& zone) {
+    std::vector<Listed> dying;
     if constexpr (tells_death) {
       const auto look = [&](const Element& e) {
-        if (level_options::dies(level_, tr, e, zone)) keys.push_back(key(tr, e));
+        if (is_killed(tr, e, zone)) dying.push_back(list(tr, e));
       };
       if constexpr (lists) level_.for_each_queued(look);
       else if (!level_.empty()) look(level_.next_element());
     }
-    return keys;
+    return dying;
   }
 
-  /// Nothing of `before` has left the set.
-  void expect_kept(const Tr& tr, const std::vector<Key>& before, const Proposal<Tr>& proposal) {
+  /// What the triangulation stores dies with it; of other elements the level knows.
+  bool is_killed(const Tr& tr, const Element& e, const Zone& zone) const {
+    if constexpr (StoresElement<Tr, Element>) return tr.dies(e, zone);
+    else return level_options::dies(level_, tr, e, zone);
+  }
+  /// The elements of its set that stay in the triangulation but are others for the level when the zone is filled: they may leave its set,
+  /// at any time.
+  std::vector<Listed> changing_of(const Tr& tr, const Zone& zone) const {
+    std::vector<Listed> changing;
+    if constexpr (StoresElement<Tr, Element> && lists)
+      level_.for_each_queued([&](const Element& e) {
+        if (level_options::dies(level_, tr, e, zone) && !tr.dies(e, zone)) changing.push_back(list(tr, e));
+      });
+    std::ranges::sort(changing);
+    return changing;
+  }
+  std::vector<Listed> without_changing(const std::vector<Listed>& elements) const {
+    std::vector<Listed> rest;
+    std::ranges::set_difference(elements, changing_, std::back_inserter(rest));
+    return rest;
+  }
+
+  /// Nothing of `before` has left the set, but what is dead by now.
+  void expect_kept(const Tr& tr, const std::vector<Listed>& before, const Proposal<Tr>& proposal) {
     if (!lists || book_->ended()) return;
-    const std::vector<Key> after = queued_keys(tr);
-    std::vector<Key> lost;
+    const std::vector<Listed> after = listed(tr);
+    std::vector<Listed> lost;
     std::ranges::set_difference(before, after, std::back_inserter(lost));
+    std::erase_if(lost, [&](const Listed& e) { return is_dead(tr, e); });
     if (!lost.empty())
       breach("drops an element from its set that was not popped and does not die",
-             words(lost.front()) + ", when " + describe(tr, proposal) + " is refined");
+             words(lost.front().key) + ", when " + describe(tr, proposal) + " is refined");
   }
 
   /// Asks, and holds the answer against the laws.
   template <class Ask>
   auto judge(const Tr& tr, const Proposal<Tr>& proposal, Ask&& ask) {
-    const std::vector<Key> before = queued_keys(tr);
+    const std::vector<Listed> before = listed(tr);
     const bool was_empty = level_.empty();
     const auto answer = ask();
     if (answer == Verdict::rejected) {
       if (proposal.level == index_) breach("rejects points of its own", describe(tr, proposal));
       else if (level_.empty()) breach("rejects a point and has no work of its own", describe(tr, proposal));
     }
-    if (answer == Verdict::rejected_forever && (queued_keys(tr) != before || level_.empty() != was_empty))
+    if (answer == Verdict::rejected_forever && (listed(tr) != before || level_.empty() != was_empty))
       breach("rejects a point for ever and changes its set", describe(tr, proposal));
     expect_kept(tr, before, proposal);
     return answer;
@@ -192,6 +250,7 @@ class WatchedLevel {
   LevelIndex index_;
   LawBook* book_;
   std::string who_;
+  std::vector<Listed> changing_, kept_;  // by the insertion that is under way
 };
 
 }  // namespace delref::testing

@@ -22,19 +22,20 @@
 #include <delref/core/point.hpp>
 #include <delref/core/proposal.hpp>
 #include <delref/triangulation/detail/range_of.hpp>
+#include <delref/triangulation/detail/spatial_filters.hpp>
 #include <delref/triangulation/detail/spatial_records.hpp>
 
 namespace delref {
 
-/// A Delaunay triangulation with `CellSlots` slots per cell; models `SpatialTriangulation`.
+/// A Delaunay triangulation with `CellSlots` slots per cell and `FacetSlots` per face; models `SpatialTriangulation`.
 ///
 /// Cells outside the domain have a negative region; which they are is decided by `domain/label_polyhedral_domain.hpp`. Handles
 /// stay valid until their element dies. Copying is not offered.
-template <int CellSlots = 1>
+template <int CellSlots = 1, int FacetSlots = 0>
 class Delaunay3 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using VertexBase = detail::SpatialVertexRecord<Kernel>;
-  using CellBase = detail::SpatialCellRecord<Kernel, CellSlots>;
+  using CellBase = detail::SpatialCellRecord<Kernel, CellSlots, FacetSlots>;
 
  public:
   /// The triangulation that does the work, for those who include CGAL.
@@ -91,7 +92,7 @@ class Delaunay3 {
     friend class Delaunay3;
     struct Wall;
     struct Link;
-    std::vector<Cell> dying_, new_;
+    std::vector<Cell> dying_, behind_, new_;
     std::vector<Facet> boundary_;
     std::vector<Wall> walls_;
     std::vector<Link> links_;
@@ -100,7 +101,9 @@ class Delaunay3 {
   };
 
   template <class Element>
-  static constexpr std::size_t slot_count = std::is_same_v<Element, Cell> ? std::size_t{CellSlots} : std::size_t{0};
+  static constexpr std::size_t slot_count = std::is_same_v<Element, Cell>    ? std::size_t{CellSlots}
+                                               : std::is_same_v<Element, Facet> ? std::size_t{FacetSlots}
+                                                                                : std::size_t{0};
 
   Delaunay3() = default;
   Delaunay3(const Delaunay3&) = delete;
@@ -110,7 +113,7 @@ class Delaunay3 {
   const Cgal& cgal() const { return cgal_; }
 
   // -- vertices
-  Point3 point(Vertex v) const { return {v.handle->point().x(), v.handle->point().y(), v.handle->point().z()}; }
+  Point3 point(Vertex v) const { return bare(v.handle->point()); }
   std::size_t index(Vertex v) const { return v.handle->index; }
   Carrier carrier(Vertex v) const { return v.handle->carrier; }
   LevelIndex provenance(Vertex v) const { return v.handle->provenance; }
@@ -133,6 +136,9 @@ class Delaunay3 {
   Facet facet(Cell c, int i) const { return {c.handle, i}; }
   Cell cell(Facet f) const { return {f.cell}; }
   /// The vertex of the facet's cell that is not on the facet.
+  /// Its index in the other vertex order is the same: `facet(c, index(c, v))` is opposite to `v`.
+  int index(Cell c, Vertex v) const { return c.handle->index(v.handle); }
+  Cell neighbour(Cell c, int i) const { return {c.handle->neighbor(i)}; }
   Vertex apex(Facet f) const { return {f.cell->vertex(f.index)}; }
   Facet mirror(Facet f) const {
     const CgalCell n = f.cell->neighbor(f.index);
@@ -206,6 +212,13 @@ class Delaunay3 {
   // -- slots
   QueuePosition slot(Cell c, std::size_t k) const { return c.handle->slots[k]; }
   void set_slot(Cell c, std::size_t k, QueuePosition position) { c.handle->slots[k] = position; }
+  /// A face has the same slots seen from both of its cells, and keeps them while it is there.
+  QueuePosition slot(Facet f, std::size_t k) const { return f.cell->facet_slot(f.index, k); }
+  void set_slot(Facet f, std::size_t k, QueuePosition position) {
+    const Facet m = mirror(f);
+    f.cell->set_facet_slot(f.index, k, position);
+    m.cell->set_facet_slot(m.index, k, position);
+  }
   /// Forgets the zone of the mesher before this one too, should it not have been inserted.
   void clear_slots() {
     for (auto c = cgal_.all_cells_begin(); c != cgal_.all_cells_end(); ++c) {
@@ -220,7 +233,11 @@ class Delaunay3 {
   bool dies(Facet f, const Zone&) const { return f.cell->dying() && f.cell->neighbor(f.index)->dying(); }
   /// Finds the cells whose circumsphere contains `p`. The search starts in the hint when that is one of them, and walks to `p` else.
   /// A point outside the hull has a zone too: rounding puts points of hull facets there.
-  Location<Delaunay3> conflict_zone(Point3 p, const Hint& hint, Zone& zone);
+  Location<Delaunay3> conflict_zone(Point3 p, const Hint& hint, Zone& zone) { return conflict_zone(p, hint, zone, false); }
+  /// The same for a point that must not destroy a marked face: where it would, only a part of the zone may be found, which must not be
+  /// inserted into. Of the cells behind marked faces it has the first few hundred, so that the faces in the way are known to die:
+  /// behind them a zone can be as large as the triangulation.
+  Location<Delaunay3> conflict_zone_up_to_marks(Point3 p, const Hint& hint, Zone& zone) { return conflict_zone(p, hint, zone, true); }
   /// Inserts `p` into its zone, which then lists the new cells. Marks stay on the faces and edges around the zone; a new cell has
   /// the region of the dying cell at its face there.
   Vertex insert(Point3 p, Zone& zone);
@@ -229,12 +246,23 @@ class Delaunay3 {
 
  private:
   using Where = Location<Delaunay3>;
+  static constexpr std::size_t enough_behind_marks = 256;
   using CgalPoint = typename Kernel::Point_3;
 
-  bool in_conflict(CgalCell c, const CgalPoint& p) const { return cgal_.side_of_sphere(c, p, true) == CGAL::ON_BOUNDED_SIDE; }
+  bool in_conflict(CgalCell c, const CgalPoint& p) const {
+    const CgalVertex infinite = cgal_.infinite_vertex();
+    if (c->vertex(0) != infinite && c->vertex(1) != infinite && c->vertex(2) != infinite && c->vertex(3) != infinite) {
+      const auto at = [&c](int i) { return bare(c->vertex(i)->point()); };
+      const int side = detail::filtered_side_of_sphere(at(0), at(1), at(2), at(3), bare(p));
+      if (side != 0) return side > 0;
+    }
+    return cgal_.side_of_sphere(c, p, true) == CGAL::ON_BOUNDED_SIDE;
+  }
+  static Point3 bare(const CgalPoint& p) { return {p.x(), p.y(), p.z()}; }
   void release(Zone& zone) {
     for (const Cell c : zone.dying_) c.handle->set_dying(false);
-    zone.dying_.clear(), zone.new_.clear(), zone.boundary_.clear();
+    for (const Cell c : zone.behind_) c.handle->set_dying(false);
+    zone.dying_.clear(), zone.behind_.clear(), zone.new_.clear(), zone.boundary_.clear();
   }
   Where walk(const CgalPoint& p, CgalCell start, CgalCell& found) const;
   bool is_at(CgalVertex v, const CgalPoint& p) const { return v->point() == p && !cgal_.is_infinite(v); }
@@ -244,7 +272,8 @@ class Delaunay3 {
   static void clear_surviving(Zone& zone) {
     for (const Facet f : zone.boundary_) f.cell->set_surviving(false);
   }
-  bool grow(const CgalPoint& p, CgalCell start, Zone& zone);
+  Location<Delaunay3> conflict_zone(Point3 p, const Hint& hint, Zone& zone, bool up_to_marks);
+  bool grow(const CgalPoint& p, CgalCell start, Zone& zone, bool up_to_marks);
   void build_walls(Zone& zone);
   void link(Zone& zone, std::size_t wall, int side);
 

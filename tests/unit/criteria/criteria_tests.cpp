@@ -17,8 +17,11 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 #include <delref/criteria/angle_bound.hpp>
+#include <delref/criteria/circumcentre.hpp>
 #include <delref/criteria/point_sizing.hpp>
 #include <delref/criteria/sizing_field.hpp>
+#include <delref/criteria/tetrahedron_criteria.hpp>
+#include <delref/criteria/triangle_criteria.hpp>
 
 using namespace delref;
 using Catch::Matchers::ContainsSubstring;
@@ -133,4 +136,34 @@ TEST_CASE("Sizes at points of space are what the formula gives") {
   CHECK(field({0, 3, 4}) == std::min(3.5, 0.5 + 0.5 * std::sqrt(13.0)));
   CHECK_THROWS_MATCHES(delref::PointSizing3(points, std::vector{1.0, -1.0, 1.0}, 0.5), InvalidInput,
                        MessageMatches(ContainsSubstring("size point 1 at (10, 0, 0)")));
+}
+
+TEST_CASE("Of several criteria that a simplex misses the first that bounds the size is told, or else the first") {
+  const TriangleShape needle({0, 0}, {4, 0}, {4, 0.1});
+  CHECK(TriangleCriteria(MinimumAngle{}, MaximumEdge{1}, MaximumArea{0.1}).unmet(needle) == "maximum edge length");
+  CHECK(TriangleCriteria(MinimumAngle{}, MaximumEdge{5}, MaximumArea{0.1}).unmet(needle) == "maximum area");
+  CHECK(TriangleCriteria(MaximumEdge{5}, MinimumAngle{}).unmet(needle) == "minimum angle");
+  CHECK(TriangleCriteria(MaximumEdge{5}).unmet(needle).empty());
+  CHECK(!TriangleCriteria(MinimumAngle{}, MaximumEdge{5}).is_met(needle));
+  CHECK(TriangleCriteria(MinimumAngle{}, MaximumEdge{5}).is_small_enough(needle));
+
+  const TetrahedronShape corner({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
+  CHECK(TetrahedronCriteria(RadiusEdge{0.7}, MaximumVolume{0.1}, MaximumCircumradius{0.1}).unmet(corner) == "maximum volume");
+  CHECK(TetrahedronCriteria(RadiusEdge{0.7}, MaximumVolume{0.2}).unmet(corner) == "radius-edge ratio");
+  CHECK(TetrahedronCriteria(RadiusEdge{2}, MaximumVolume{0.2}).is_met(corner));
+}
+
+TEST_CASE("A circumcentre is as far from each corner, and in the plane of a triangle in space") {
+  std::mt19937_64 generator(3);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  const auto random = [&] { return coordinate(generator); };
+  for (int k = 0; k < 100; ++k) {
+    const Vector2 u{random(), random()}, v{random(), random()}, c = to_circumcentre(u, v, cross(u, v));
+    CHECK(squared_length(c) == Catch::Approx(squared_length(c - u)).epsilon(1e-6));
+    CHECK(squared_length(c) == Catch::Approx(squared_length(c - v)).epsilon(1e-6));
+    const Vector3 a{random(), random(), random()}, b{random(), random(), random()}, d = to_circumcentre(a, b);
+    CHECK(squared_length(d) == Catch::Approx(squared_length(d - a)).epsilon(1e-6));
+    CHECK(squared_length(d) == Catch::Approx(squared_length(d - b)).epsilon(1e-6));
+    CHECK(std::abs(dot(d, cross(a, b))) <= 1e-12 * std::sqrt(squared_length(d)));
+  }
 }

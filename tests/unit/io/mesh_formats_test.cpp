@@ -13,13 +13,11 @@
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::Message;
 using Catch::Matchers::MessageMatches;
+using delref_test::check_same;
+using delref_test::replaced;
 using delref_test::Scratch;
 
 namespace {
-
-std::string replaced(std::string text, std::string_view from, std::string_view to) {
-  return text.replace(text.find(from), from.size(), to);
-}
 
 const std::string small_msh =
     "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\nanything at all\n$EndComments\n"
@@ -43,15 +41,10 @@ TEST_CASE("a mesh survives .vtu with all it carries") {
   const delref::PlanarMesh mesh = delref_test::square_mesh();
   delref::write_planar_mesh(folder / "m.vtu", mesh);
   const delref::PlanarMesh read = delref::read_planar_mesh(folder / "m.vtu");
-  CHECK(read.points == mesh.points);
-  CHECK(read.point_markers == mesh.point_markers);
+  check_same(read, mesh);
   CHECK(read.carriers == mesh.carriers);
   CHECK(read.provenance == mesh.provenance);
   CHECK(read.level_names == mesh.level_names);
-  CHECK(read.triangles == mesh.triangles);
-  CHECK(read.regions == mesh.regions);
-  CHECK(read.edges == mesh.edges);
-  CHECK(read.edge_markers == mesh.edge_markers);
   CHECK(read.edge_segments == mesh.edge_segments);
 }
 
@@ -59,13 +52,7 @@ TEST_CASE("a mesh survives .msh with labels and markers of any sign") {
   const Scratch folder;
   const delref::PlanarMesh mesh = delref_test::square_mesh();
   delref::write_planar_mesh(folder / "m.msh", mesh);
-  const delref::PlanarMesh read = delref::read_planar_mesh(folder / "m.msh");
-  CHECK(read.points == mesh.points);
-  CHECK(read.point_markers == mesh.point_markers);
-  CHECK(read.triangles == mesh.triangles);
-  CHECK(read.regions == mesh.regions);
-  CHECK(read.edges == mesh.edges);
-  CHECK(read.edge_markers == mesh.edge_markers);
+  check_same(delref::read_planar_mesh(folder / "m.msh"), mesh);
 }
 
 TEST_CASE("an empty mesh survives every format that is read") {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A folder for a test's files, and a mesh that carries everything.
+// A folder for a test's files, broken texts, and a mesh that carries everything.
 #pragma once
 
 #include <cstdlib>
@@ -8,6 +8,8 @@
 #include <fstream>
 #include <string>
 #include <string_view>
+
+#include <catch2/catch_test_macros.hpp>
 
 #include <delref/mesh/planar_mesh.hpp>
 
@@ -36,6 +38,11 @@ class Scratch {
   std::filesystem::path folder_;
 };
 
+/// The text with another one in the place of the first `from`, which must be there.
+inline std::string replaced(std::string text, std::string_view from, std::string_view to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
 /// Two triangles of a square with labels, markers, carriers and provenance; coordinates that need all their digits.
 inline delref::PlanarMesh square_mesh() {
   delref::PlanarMesh mesh;
@@ -50,6 +57,16 @@ inline delref::PlanarMesh square_mesh() {
   mesh.edge_markers = {7, 0, -2147483647 - 1};
   mesh.edge_segments = {0, 4, 1};
   return mesh;
+}
+
+/// Checks what every format that is read carries.
+inline void check_same(const delref::PlanarMesh& read, const delref::PlanarMesh& mesh) {
+  CHECK(read.points == mesh.points);
+  CHECK(read.point_markers == mesh.point_markers);
+  CHECK(read.triangles == mesh.triangles);
+  CHECK(read.regions == mesh.regions);
+  CHECK(read.edges == mesh.edges);
+  CHECK(read.edge_markers == mesh.edge_markers);
 }
 
 }  // namespace delref_test

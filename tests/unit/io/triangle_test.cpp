@@ -101,13 +101,7 @@ TEST_CASE("a mesh survives the files of Triangle") {
   delref::Pslg input;
   input.first_index = GENERATE(0U, 1U);
   delref::write_triangle_mesh(folder / "m.ele", mesh, input);
-  const delref::PlanarMesh read = delref::read_triangle_mesh(folder / "m.node");
-  CHECK(read.points == mesh.points);
-  CHECK(read.point_markers == mesh.point_markers);
-  CHECK(read.triangles == mesh.triangles);
-  CHECK(read.regions == mesh.regions);
-  CHECK(read.edges == mesh.edges);
-  CHECK(read.edge_markers == mesh.edge_markers);
+  delref_test::check_same(delref::read_triangle_mesh(folder / "m.node"), mesh);
   std::filesystem::remove(folder / "m.poly");
   CHECK(delref::read_triangle_mesh(folder / "m.node").edge_markers.size() == 2);
 }

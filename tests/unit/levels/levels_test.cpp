@@ -73,6 +73,24 @@ TEST_CASE("Split points are strictly between the ends and within one ulp of the 
   }
 }
 
+TEST_CASE("Split points in space are strictly between the ends and within 4 ulp of the segment") {
+  property::Random random(2);
+  const auto coordinate = [&] { return random.uniform(-1, 1); };
+  for (int k = 0; k < 2000; ++k) {
+    const Vector3 shift{coordinate() * std::pow(10, random.integer(0, 6)), coordinate(), coordinate()};
+    const Point3 p = Point3{coordinate(), coordinate(), coordinate()} + shift, q = Point3{coordinate(), coordinate(), coordinate()} + shift;
+    const double length = std::sqrt(squared_distance(p, q)), greatest = std::abs(shift.x) + 2, ulp = std::nextafter(greatest, 2 * greatest) - greatest;
+    Point3 a = p, b = q;
+    for (int depth = 0; depth < 60; ++depth) {
+      const Point3 m = random.chance(0.5) ? split_point(a, b, p, q) : split_point_near_corner(a, b, p, q, 1.01);
+      if (m == a) break;
+      REQUIRE(is_between(m, a, b, q - p));
+      REQUIRE(std::sqrt(squared_length(cross(m - p, q - p))) <= 4 * ulp * length);
+      (random.chance(0.5) ? a : b) = m;
+    }
+  }
+}
+
 TEST_CASE("A subsegment without a double between its ends is not split") {
   const Point2 a{1, 1}, b{std::nextafter(1.0, 2.0), std::nextafter(1.0, 2.0)};
   CHECK(split_point(a, b, a, b) == a);

@@ -4,6 +4,8 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include <algorithm>
+#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -97,6 +99,33 @@ TEST_CASE("a level that keeps dying elements is named") {
                 return rule;
               }),
               "level \"length\" keeps a dying element in its set"));
+}
+
+TEST_CASE("a level may drop what it no longer holds, and is named when it keeps that") {
+  struct Shrinking : RoadRule {
+    std::shared_ptr<double> begin = std::make_shared<double>(0);  // of the part of the road that is its own
+    bool holds(const Road& on, std::span<const Knot> ends) const { return on.point(ends[0]).x >= *begin; }
+  };
+  const auto laws_broken = [](bool keeps) {
+    return check_laws([&](auto run) {
+      Road road(0, 1);
+      for (const double x : {0.2, 0.4, 0.6, 0.8}) road.add(x);
+      Shrinking rule{shorter_than(0.02)};
+      rule.violates = [begin = rule.begin](const Road& on, const Piece& e) { return on.length(e) > 0.02 && on.point(e.left).x >= *begin; };
+      rule.after = [begin = rule.begin, keeps](RoadRule& self, Road& on, const Proposal&) {
+        *begin += 0.02;
+        std::vector<Piece> lost;
+        self.set.for_each([&](const Piece& e) {
+          if (on.point(e.left).x < *begin) lost.push_back(e);
+        });
+        for (const Piece& e : lost)
+          if (!keeps) self.set.erase(on, e);
+      };
+      run(road, std::tuple(std::move(rule)));
+    });
+  };
+  CHECK(laws_broken(false).empty());
+  CHECK(names(laws_broken(true), "level \"length\" keeps a dead element in its set"));
 }
 
 TEST_CASE("a level that pops something else than its next element is named") {

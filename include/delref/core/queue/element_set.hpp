@@ -10,7 +10,8 @@
 
 namespace delref {
 
-/// The elements of type `Element` that wait to be refined, in the order of `Queue`. The triangulation keeps the slots.
+/// The elements of type `Element` that wait to be refined, in the order of `Queue`. The triangulation
+/// keeps the slots, or whatever else is handed in its place with `slot(element, k)` and `set_slot(element, k, position)`.
 template <class Element, class Queue>
 class ElementSet {
   static_assert(explain_queue<Queue, Element>());
@@ -26,28 +27,28 @@ class ElementSet {
 
   /// Adds `e` unless it is there already or was given up. True when it was added.
   template <class Tr>
-  bool add(Tr& tr, const Element& e, double priority) {
+  bool add(Tr&& tr, const Element& e, double priority) {
     if (tr.slot(e, slot_) != absent) return false;
     tr.set_slot(e, slot_, queue_.push(e, priority));
     return true;
   }
   /// Takes `e` out if it is there.
   template <class Tr>
-  void erase(Tr& tr, const Element& e) {
+  void erase(Tr&& tr, const Element& e) {
     const QueuePosition position = tr.slot(e, slot_);
     if (position < 0) return;
     queue_.erase(position);
     tr.set_slot(e, slot_, absent);
   }
   template <class Tr>
-  void pop(Tr& tr) {
+  void pop(Tr&& tr) {
     const QueuePosition position = queue_.front();
     tr.set_slot(queue_.at(position), slot_, absent);
     queue_.erase(position);
   }
   /// `e`, which is not in the set, is not to enter it again.
   template <class Tr>
-  void give_up(Tr& tr, const Element& e) { tr.set_slot(e, slot_, given_up); }
+  void give_up(Tr&& tr, const Element& e) { tr.set_slot(e, slot_, given_up); }
   template <class Tr>
   bool is_given_up(const Tr& tr, const Element& e) const { return tr.slot(e, slot_) == given_up; }
   /// The handle under which the triangulation knows an element has changed: from now on it is `e`.

@@ -46,7 +46,7 @@ void FacetComplex<Tr>::split_subsegment(const Tr& tr, Vertex a, Vertex b, Vertex
     const Vertex top = c[place(i)], from = c[place(i + 1)], to = c[place(i + 2)];
     const Id across_from = subfacets_[t].neighbours[place(i + 1)];  // behind the edge top-to
     const Id across_to = subfacets_[t].neighbours[place(i + 2)];    // behind the edge top-from
-    const Id u = allocate(subfacets_[t].facet, {top, v, to});
+    const Id u = allocate_part(t, {top, v, to});
     subfacets_[t].corners = {top, from, v};
     subfacets_[t].is_present = false;
     subfacets_[t].neighbours = {none, u, across_to};
@@ -68,8 +68,7 @@ void FacetComplex<Tr>::insert(const Tr& tr, Id t, Vertex v, F&& removed, std::ve
   detach(tr, t);
   const std::array<Vertex, 3> c = subfacets_[t].corners;
   const std::array<Id, 3> n = subfacets_[t].neighbours;
-  const std::uint32_t facet = subfacets_[t].facet;
-  const Id u = allocate(facet, {v, c[1], c[2]}), w = allocate(facet, {v, c[2], c[0]});
+  const Id u = allocate_part(t, {v, c[1], c[2]}), w = allocate_part(t, {v, c[2], c[0]});
   subfacets_[t].corners = {v, c[0], c[1]};
   subfacets_[t].is_present = false;
   subfacets_[t].neighbours = {n[2], u, w};

@@ -12,6 +12,7 @@
 
 #include <delref/core/carrier.hpp>
 #include <delref/mesh/verify/chains.hpp>
+#include <delref/mesh/verify/check_who_inserted.hpp>
 #include <delref/mesh/verify/report.hpp>
 
 namespace delref::verification {
@@ -179,19 +180,8 @@ inline void check_point_markers(const Subject& s, const InputDomain& domain, con
   }
 }
 
-/// Input vertices say that they are, all others name a level.
 inline void check_provenance(const Subject& s, const MeshTopology& topology, const Chains& chains, Finding& finding) {
-  for (Index v = 0; v < s.points.size(); ++v) {
-    if (topology.star(v).empty()) continue;
-    ++finding.examined;
-    const LevelIndex level = s.mesh.provenance[v];
-    const bool is_input = chains.input_of_vertex(v) != none;
-    if (is_input != (level == input_level) || (!is_input && level >= s.mesh.level_names.size()))
-      finding.fail([&] {
-        return s.vertex(v) + (is_input ? " is an input vertex and says that a level inserted it"
-                                       : " is no input vertex and names no level that inserted it");
-      });
-  }
+  check_who_inserted(s, [&](Index v) { return !topology.star(v).empty(); }, [&](Index v) { return chains.input_of_vertex(v) != none; }, finding);
 }
 
 }  // namespace delref::verification

@@ -22,9 +22,16 @@ class NearestPoint {
 
   /// Infinity when there are no points. Expected time logarithmic in their number.
   double squared_distance_from(Point place) const {
+    const Point* nearest = nullptr;
     double best = std::numeric_limits<double>::infinity();
-    search(points_, 0, place, best);
+    search(points_, 0, place, best, nearest);
     return best;
+  }
+  /// The nearest point, if it is closer than that; null otherwise.
+  const Point* closer_than(Point place, double squared_distance_from_it) const {
+    const Point* nearest = nullptr;
+    search(points_, 0, place, squared_distance_from_it, nearest);
+    return nearest;
   }
 
  private:
@@ -45,14 +52,17 @@ class NearestPoint {
     build(part.subspan(middle + 1), next(axis));
   }
 
-  static void search(std::span<const Point> part, int axis, Point place, double& best) {
+  static void search(std::span<const Point> part, int axis, Point place, double& best, const Point*& nearest) {
     if (part.empty()) return;
     const std::size_t middle = part.size() / 2;
-    best = std::min(best, squared_distance(part[middle], place));
+    if (const double distance = squared_distance(part[middle], place); distance < best) {
+      best = distance;
+      nearest = &part[middle];
+    }
     const double offset = along(place, axis) - along(part[middle], axis);
     const auto low = part.first(middle), high = part.subspan(middle + 1);
-    search(offset < 0 ? low : high, next(axis), place, best);
-    if (offset * offset < best) search(offset < 0 ? high : low, next(axis), place, best);
+    search(offset < 0 ? low : high, next(axis), place, best, nearest);
+    if (offset * offset < best) search(offset < 0 ? high : low, next(axis), place, best, nearest);
   }
 
   std::vector<Point> points_;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -43,7 +44,17 @@ struct Finding {
   }
 };
 
-/// The result of `verify_planar` and `verify_polyhedral`.
+/// A connected piece of the surface that bounds a region of a smooth domain.
+struct SurfacePiece {
+  int region = 0;  ///< its label
+  std::size_t vertices = 0, edges = 0, triangles = 0;
+  /// The volume that it encloses, negative around a cavity.
+  double volume = 0;
+  /// 2 for a sphere, 0 for a torus, 2 less for every further hole.
+  long euler_characteristic() const { return static_cast<long>(vertices) - static_cast<long>(edges) + static_cast<long>(triangles); }
+};
+
+/// The result of `verify_planar`, `verify_polyhedral` and `verify_smooth`.
 struct VerifyReport {
   /// In the order in which they were made.
   std::vector<Finding> findings;
@@ -58,6 +69,8 @@ struct VerifyReport {
   double smallest_angle = 180, smallest_angle_in_force = 180;
   /// The same for the circumradius over the shortest edge of the tetrahedra. 0 when there are none.
   double worst_radius_edge = 0, worst_radius_edge_in_force = 0;
+  /// Of smooth domains: the closed surfaces around their regions, by the label of the region and then by size, greatest first.
+  std::vector<SurfacePiece> surfaces;
 
   /// No check failed. Excused, listed and unfinished elements are no failures.
   bool ok() const { return std::ranges::none_of(findings, failed, &Finding::status); }
@@ -71,6 +84,25 @@ struct VerifyReport {
   static bool failed(CheckStatus s) { return s == CheckStatus::failed; }
 };
 
+namespace verification {
+
+/// The surfaces around the regions, a line each for the first of them.
+inline std::string surfaces_text(const std::vector<SurfacePiece>& surfaces) {
+  constexpr std::size_t told = 12;
+  std::string text;
+  for (const SurfacePiece& s : std::span(surfaces).first(std::min(told, surfaces.size())))
+    text += fmt::format("surface around region {}: {} triangles, Euler characteristic {}, volume {:.10g}\n", s.region, s.triangles,
+                        s.euler_characteristic(), s.volume);
+  if (surfaces.size() > told) {
+    long rest = 0;
+    for (const SurfacePiece& s : std::span(surfaces).subspan(told)) rest += s.euler_characteristic();
+    text += fmt::format("and {} more, their Euler characteristics adding up to {}\n", surfaces.size() - told, rest);
+  }
+  return text;
+}
+
+}  // namespace verification
+
 /// The report as a table of lines, each failed check followed by its first places; the last line is the verdict.
 inline std::string verify_table(const VerifyReport& report) {
   std::string text;
@@ -83,6 +115,7 @@ inline std::string verify_table(const VerifyReport& report) {
     for (const std::string& place : f.places) text += fmt::format("          {}\n", place);
     if (f.failures > f.places.size()) text += fmt::format("          and {} more\n", f.failures - f.places.size());
   }
+  text += verification::surfaces_text(report.surfaces);
   if (report.smallest_angle < 180) text += fmt::format("smallest angle {:.6g} degrees", report.smallest_angle);
   if (report.smallest_angle_in_force < 180 && report.smallest_angle_in_force != report.smallest_angle)
     text += fmt::format("; {:.6g} where the bound is in force", report.smallest_angle_in_force);

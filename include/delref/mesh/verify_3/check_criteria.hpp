@@ -20,7 +20,7 @@ namespace delref::verification_3 {
 inline constexpr double size_slack = 1 + 1e-9;
 using Shortfalls = verification::Shortfalls<Point3>;
 
-inline void check_radius_edge(const Subject& s, const SmallAngles& small_angles, Shortfalls& shortfalls, VerifyReport& report,
+inline void check_radius_edge(const Subject& s, SmallAngles& small_angles, Shortfalls& shortfalls, VerifyReport& report,
                               Finding& finding) {
   finding.examined = s.mesh.tetrahedra.size();
   const double bound = s.criteria.radius_edge * size_slack;

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <delref/mesh/verify/check_who_inserted.hpp>
 #include <delref/mesh/verify/report.hpp>
 #include <delref/mesh/verify_3/elements.hpp>
 
@@ -65,19 +66,9 @@ inline void check_point_markers(const Subject& s, const InputComplex& complex, c
   }
 }
 
-/// Input vertices say that they are, all others name a level.
 inline void check_provenance(const Subject& s, const Chains& chains, Finding& finding) {
-  for (Index v = 0; v < s.points.size(); ++v) {
-    if (!chains.present(v)) continue;
-    ++finding.examined;
-    const LevelIndex level = s.mesh.provenance[v];
-    const bool is_input = chains.input_of_vertex(v) != none;
-    if (is_input != (level == input_level) || (!is_input && level >= s.mesh.level_names.size()))
-      finding.fail([&] {
-        return s.vertex(v) + (is_input ? " is an input vertex and says that a level inserted it"
-                                       : " is no input vertex and names no level that inserted it");
-      });
-  }
+  verification::check_who_inserted(s, [&](Index v) { return chains.present(v); }, [&](Index v) { return chains.input_of_vertex(v) != none; },
+                                   finding);
 }
 
 }  // namespace delref::verification_3

@@ -41,11 +41,10 @@ inline void check_input(const Subject& s, Finding& finding) {
     if (!is_finite(region.seed)) finding.fail([] { return std::string("a region seed is not finite"); });
 }
 
-/// Lengths of the parallel vectors, indices, coordinates.
-inline void check_indices(const Subject& s, Finding& finding) {
+/// Lengths of the parallel vectors, indices of vertices, coordinates.
+inline void check_arrays(const Subject& s, Finding& finding) {
   const TetrahedralMesh& mesh = s.mesh;
   finding.examined = mesh.tetrahedra.size() + mesh.triangles.size() + mesh.edges.size() + mesh.points.size();
-  if (mesh.tetrahedra.empty()) finding.fail([] { return std::string("the mesh has no tetrahedra"); });
   const auto parallel = [&](std::string_view what, std::size_t size, std::size_t expected) {
     if (size != 0 && size != expected)
       finding.fail([&] { return fmt::format("{}: {} given for {} elements", what, size, expected); });
@@ -75,7 +74,13 @@ inline void check_indices(const Subject& s, Finding& finding) {
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) valid(mesh.tetrahedra[t], "tetrahedron", t);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) valid(mesh.triangles[t], "triangle", t);
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) valid(mesh.edges[e], "edge", e);
-  for (const Index f : mesh.triangle_facets)
+}
+
+/// The same, and that there are tetrahedra, and facets of the input where triangles name them.
+inline void check_indices(const Subject& s, Finding& finding) {
+  if (s.mesh.tetrahedra.empty()) finding.fail([] { return std::string("the mesh has no tetrahedra"); });
+  check_arrays(s, finding);
+  for (const Index f : s.mesh.triangle_facets)
     if (f >= s.input.facets.size())
       finding.fail([&] { return fmt::format("a triangle names facet {}, which does not exist", s.number(f)); });
 }

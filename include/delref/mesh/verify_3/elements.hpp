@@ -32,11 +32,26 @@ class ElementsOfVertices {
       elements_.push_back(element);
     }
     for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
+    std::ranges::sort(pairs, {}, [](const auto& p) { return std::pair(p.second, p.first); });
+    begin_of_element_.assign(sides_ + complex.groups().size() + 1, 0);
+    for (const auto& [v, element] : pairs) {
+      ++begin_of_element_[element + 1];
+      vertices_.push_back(v);
+    }
+    for (std::size_t i = 1; i < begin_of_element_.size(); ++i) begin_of_element_[i] += begin_of_element_[i - 1];
   }
 
   /// Sorted: segments come first.
   std::span<const Index> operator[](Index vertex) const {
     return std::span(elements_).subspan(begin_[vertex], begin_[vertex + 1] - begin_[vertex]);
+  }
+  /// How many elements there are.
+  std::size_t size() const { return begin_of_element_.size() - 1; }
+  /// Where the vertices on an element are.
+  std::vector<Point3> points_of(Index element, const std::vector<Point3>& points) const {
+    std::vector<Point3> found;
+    for (std::size_t k = begin_of_element_[element]; k < begin_of_element_[element + 1]; ++k) found.push_back(points[vertices_[k]]);
+    return found;
   }
   bool is_side(Index element) const { return element < sides_; }
   Index group(Index element) const { return element - sides_; }
@@ -44,8 +59,8 @@ class ElementsOfVertices {
 
  private:
   Index sides_;
-  std::vector<std::size_t> begin_;
-  std::vector<Index> elements_;
+  std::vector<std::size_t> begin_, begin_of_element_;
+  std::vector<Index> elements_, vertices_;
 };
 
 }  // namespace delref::verification_3

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -22,7 +23,7 @@ class SmallAngles {
  public:
   SmallAngles(const Subject& s, const InputComplex& complex, const Chains& chains, const std::vector<Index>& group_of,
               const ElementsOfVertices& elements)
-      : s_(s), complex_(complex), chains_(chains), group_of_(group_of), elements_(elements), places_({}) {
+      : s_(s), complex_(complex), chains_(chains), group_of_(group_of), elements_(elements), vertices_on_(elements.size()), places_({}) {
     std::vector<Point3> places;
     facets_at_segments(places);
     elements_at_vertices(places);
@@ -31,28 +32,34 @@ class SmallAngles {
     places_ = verification::NearestPoint<Point3>(std::move(places));
   }
 
-  /// Whether a small input angle may force the shape of a tetrahedron: a corner of it is within twice its longest edge of the
-  /// place of such an angle, or two corners lie on two elements that make one.
-  bool excuse(std::size_t tetrahedron) const {
+  /// Whether a small input angle may force the shape of a tetrahedron: a corner of it is within twice its longest edge of the place of
+  /// such an angle, or lies on one of the two elements that make one and is within that distance of a vertex on the other.
+  bool excuse(std::size_t tetrahedron) {
     const double reach = 2 * s_.shape(tetrahedron).longest_edge();
     const auto& corners = s_.mesh.tetrahedra[tetrahedron];
     for (const Index v : corners)
       if (places_.squared_distance_from(s_.points[v]) <= reach * reach) return true;
-    for (const auto& [i, j] : TetrahedronMeasures::edge_corners)
-      if (bridges(corners[i], corners[j])) return true;
-    return false;
+    return std::ranges::any_of(corners, [&](Index v) { return is_beside_other(v, reach); });
   }
 
  private:
   using Pair = std::pair<Index, Index>;
 
-  bool bridges(Index v, Index w) const {
+  bool is_beside_other(Index v, double reach) {
     for (const Index e : elements_[v])
-      for (const Index f : elements_[w])
-        if (e != f && std::ranges::binary_search(pairs_, Pair(std::min(e, f), std::max(e, f)))) return true;
+      for (const auto& [first, other] : std::ranges::equal_range(pairs_, e, {}, &Pair::first))
+        if (vertices_on(other).squared_distance_from(s_.points[v]) <= reach * reach) return true;
     return false;
   }
-  void meet(Index e, Index f) { pairs_.push_back({std::min(e, f), std::max(e, f)}); }
+  const verification::NearestPoint<Point3>& vertices_on(Index element) {
+    auto& found = vertices_on_[element];
+    if (!found) found.emplace(elements_.points_of(element, s_.points));
+    return *found;
+  }
+  void meet(Index e, Index f) {
+    pairs_.push_back({e, f});
+    pairs_.push_back({f, e});
+  }
 
   /// The part of a vector that is orthogonal to an axis.
   static Vector3 across(Vector3 v, Vector3 axis) { return v - (dot(v, axis) / squared_length(axis)) * axis; }
@@ -133,7 +140,8 @@ class SmallAngles {
   const Chains& chains_;
   const std::vector<Index>& group_of_;
   const ElementsOfVertices& elements_;
-  std::vector<Pair> pairs_;
+  std::vector<Pair> pairs_;  // each both ways round
+  std::vector<std::optional<verification::NearestPoint<Point3>>> vertices_on_;  // by element, made when asked for
   verification::NearestPoint<Point3> places_;
 };
 

@@ -9,8 +9,8 @@
 namespace delref {
 
 /// A face around the hole, with what the cell that is built on it takes over.
-template <int CellSlots>
-struct Delaunay3<CellSlots>::Zone::Wall {
+template <int CellSlots, int FacetSlots>
+struct Delaunay3<CellSlots, FacetSlots>::Zone::Wall {
   CgalCell outside;                      ///< the surviving cell behind it
   int index = 0;                         ///< and the face's number there
   std::array<CgalVertex, 3> corners{};   ///< such that (corners, p) is positively oriented
@@ -21,14 +21,14 @@ struct Delaunay3<CellSlots>::Zone::Wall {
 };
 
 /// A side of a wall, in the list of one of its ends.
-template <int CellSlots>
-struct Delaunay3<CellSlots>::Zone::Link {
+template <int CellSlots, int FacetSlots>
+struct Delaunay3<CellSlots, FacetSlots>::Zone::Link {
   std::int32_t other_end = 0, wall = 0, next = -1;
   int side = 0;
 };
 
-template <int CellSlots>
-bool Delaunay3<CellSlots>::is_simplex(std::span<const Vertex> v) const {
+template <int CellSlots, int FacetSlots>
+bool Delaunay3<CellSlots, FacetSlots>::is_simplex(std::span<const Vertex> v) const {
   CgalCell c;
   int i = 0, j = 0, k = 0, l = 0;
   if (v.size() == 2) return cgal_.is_edge(v[0].handle, v[1].handle, c, i, j);
@@ -37,8 +37,8 @@ bool Delaunay3<CellSlots>::is_simplex(std::span<const Vertex> v) const {
 }
 
 /// A visibility walk; ends in an infinite cell when `p` is outside the hull. In a Delaunay triangulation it comes to no cell twice (Edelsbrunner 1990), so it needs no chance.
-template <int CellSlots>
-auto Delaunay3<CellSlots>::walk(const CgalPoint& p, CgalCell start, CgalCell& found) const -> Where {
+template <int CellSlots, int FacetSlots>
+auto Delaunay3<CellSlots, FacetSlots>::walk(const CgalPoint& p, CgalCell start, CgalCell& found) const -> Where {
   const auto orientation = cgal_.geom_traits().orientation_3_object();
   CgalCell c = start, from{};
   int infinite = 0;
@@ -68,20 +68,39 @@ auto Delaunay3<CellSlots>::walk(const CgalPoint& p, CgalCell start, CgalCell& fo
 
 /// False when `p` is a vertex. No cell next to a vertex may be asked whether it is in conflict with it: perturbation cannot tell
 /// equal points apart.
-template <int CellSlots>
-bool Delaunay3<CellSlots>::grow(const CgalPoint& p, CgalCell start, Zone& zone) {
-  start->set_dying(true);
-  zone.dying_.push_back({start});
+template <int CellSlots, int FacetSlots>
+bool Delaunay3<CellSlots, FacetSlots>::grow(const CgalPoint& p, CgalCell start, Zone& zone, bool up_to_marks) {
+  // What is looked at next lies anywhere in memory: asked for as soon as it is known, it is there in time.
+  const auto die = [&zone](CgalCell c) {
+    c->set_dying(true);
+    for (int i = 0; i < 4; ++i) {
+      const auto* n = reinterpret_cast<const char*>(&*c->neighbor(i));
+      __builtin_prefetch(n), __builtin_prefetch(n + 64);
+    }
+    zone.dying_.push_back({c});
+  };
+  die(start);
   for (std::size_t k = 0; k < zone.dying_.size(); ++k) {
     const CgalCell c = zone.dying_[k].handle;
+    if (k + 1 < zone.dying_.size()) {
+      const CgalCell next = zone.dying_[k + 1].handle;
+      for (int i = 0; i < 4; ++i) {
+        const CgalCell n = next->neighbor(i);
+        if (!n->dying()) __builtin_prefetch(&*n->vertex(n->index(next)));
+      }
+    }
     for (int i = 0; i < 4; ++i) {
       const CgalCell n = c->neighbor(i);
       if (n->dying()) continue;
       if (!n->surviving()) {
         if (is_at(n->vertex(n->index(c)), p)) return clear_surviving(zone), false;
         if (in_conflict(n, p)) {
-          n->set_dying(true);
-          zone.dying_.push_back({n});
+          if (up_to_marks && c->is_face_marked(i)) {
+            n->set_dying(true);
+            zone.behind_.push_back({n});
+          } else {
+            die(n);
+          }
           continue;
         }
         n->set_surviving(true);
@@ -89,12 +108,29 @@ bool Delaunay3<CellSlots>::grow(const CgalPoint& p, CgalCell start, Zone& zone) 
       zone.boundary_.push_back({n, n->index(c)});
     }
   }
+  for (std::size_t k = 0; k < zone.behind_.size(); ++k) {
+    const CgalCell c = zone.behind_[k].handle;
+    for (int i = 0; i < 4; ++i) {
+      const CgalCell n = c->neighbor(i);
+      if (n->dying()) continue;
+      if (!n->surviving() && zone.behind_.size() < enough_behind_marks) {
+        if (is_at(n->vertex(n->index(c)), p)) return clear_surviving(zone), false;
+        if (in_conflict(n, p)) {
+          n->set_dying(true);
+          zone.behind_.push_back({n});
+          continue;
+        }
+      }
+      zone.boundary_.push_back({n, n->index(c)});
+    }
+  }
   clear_surviving(zone);
+  zone.dying_.insert(zone.dying_.end(), zone.behind_.begin(), zone.behind_.end());
   return true;
 }
 
-template <int CellSlots>
-auto Delaunay3<CellSlots>::conflict_zone(Point3 point, const Hint& hint, Zone& zone) -> Where {
+template <int CellSlots, int FacetSlots>
+auto Delaunay3<CellSlots, FacetSlots>::conflict_zone(Point3 point, const Hint& hint, Zone& zone, bool up_to_marks) -> Where {
   release(zone);
   const CgalPoint p(point.x, point.y, point.z);
   CgalCell start = hint.cell;
@@ -104,7 +140,7 @@ auto Delaunay3<CellSlots>::conflict_zone(Point3 point, const Hint& hint, Zone& z
     if (where.kind == Where::Kind::on_vertex) return where;
     if (!in_conflict(start, p)) return {Where::Kind::degenerate, {}};
   }
-  if (!grow(p, start, zone)) {
+  if (!grow(p, start, zone, up_to_marks)) {
     release(zone);
     return {Where::Kind::on_vertex, {}};
   }
@@ -112,8 +148,8 @@ auto Delaunay3<CellSlots>::conflict_zone(Point3 point, const Hint& hint, Zone& z
 }
 
 /// Notes what the faces around the hole are, and numbers its corners.
-template <int CellSlots>
-void Delaunay3<CellSlots>::build_walls(Zone& zone) {
+template <int CellSlots, int FacetSlots>
+void Delaunay3<CellSlots, FacetSlots>::build_walls(Zone& zone) {
   zone.walls_.clear(), zone.corners_.clear();
   for (const Facet f : zone.boundary_) {
     typename Zone::Wall wall;
@@ -139,8 +175,8 @@ void Delaunay3<CellSlots>::build_walls(Zone& zone) {
 }
 
 /// Makes the cells of two walls neighbours when the second of them comes.
-template <int CellSlots>
-void Delaunay3<CellSlots>::link(Zone& zone, std::size_t wall, int side) {
+template <int CellSlots, int FacetSlots>
+void Delaunay3<CellSlots, FacetSlots>::link(Zone& zone, std::size_t wall, int side) {
   const auto& w = zone.walls_[wall];
   std::int32_t a = w.corners[static_cast<std::size_t>((side + 1) % 3)]->number_in_hole;
   std::int32_t b = w.corners[static_cast<std::size_t>((side + 2) % 3)]->number_in_hole;
@@ -159,8 +195,8 @@ void Delaunay3<CellSlots>::link(Zone& zone, std::size_t wall, int side) {
   zone.links_.push_back({b, static_cast<std::int32_t>(wall), -1, side});
 }
 
-template <int CellSlots>
-auto Delaunay3<CellSlots>::insert(Point3 point, Zone& zone) -> Vertex {
+template <int CellSlots, int FacetSlots>
+auto Delaunay3<CellSlots, FacetSlots>::insert(Point3 point, Zone& zone) -> Vertex {
   auto& tds = cgal_.tds();
   build_walls(zone);
   for (const Cell c : zone.dying_) tds.delete_cell(c.handle);
@@ -177,6 +213,7 @@ auto Delaunay3<CellSlots>::insert(Point3 point, Zone& zone) -> Vertex {
     w.cell->forget();
     w.cell->set_region(w.region);
     w.cell->mark_face(3, w.marked);
+    w.cell->share_facet_slots(3, *w.outside, w.index);
     for (int i = 0; i < 3; ++i) {
       w.cell->mark_edge((i + 1) % 3, (i + 2) % 3, w.marked_edges[static_cast<std::size_t>(i)]);
       w.corners[static_cast<std::size_t>(i)]->set_cell(w.cell);

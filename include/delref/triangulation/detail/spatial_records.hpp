@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What the triangulation of space keeps in each vertex and cell, in the form in which CGAL takes it: base classes that are rebound
-// to the triangulation's own handles. A cell is 80 bytes with one slot.
+// to the triangulation's own handles. A cell is 80 bytes with one slot of its own and none of its faces; 16 bytes more with a slot of each face.
 #pragma once
 
 #include <array>
@@ -46,13 +46,27 @@ class SpatialVertexRecord : public Base {
   LevelIndex provenance = input_level;
 };
 
+/// The slots of the four faces of a cell; nothing at all where no level wants any.
+template <int FacetSlots>
+struct FacetSlotArray {
+  std::array<QueuePosition, std::size_t{4} * FacetSlots> positions;
+  QueuePosition at(int face, std::size_t k) const { return positions[4 * k + static_cast<std::size_t>(face)]; }
+  QueuePosition& at(int face, std::size_t k) { return positions[4 * k + static_cast<std::size_t>(face)]; }
+  void clear() { positions.fill(-1); }
+};
+template <>
+struct FacetSlotArray<0> {
+  static QueuePosition at(int, std::size_t) { return -1; }
+  static void clear() {}
+};
+
 /// Faces and edges of a cell are marked as those that lie on input facets and segments: bits of one word.
-template <class Kernel, int CellSlots, class Base = CGAL::Triangulation_ds_cell_base_3<>>
+template <class Kernel, int CellSlots, int FacetSlots = 0, class Base = CGAL::Triangulation_ds_cell_base_3<>>
 class SpatialCellRecord : public Base {
  public:
   template <class Tds>
   struct Rebind_TDS {
-    using Other = SpatialCellRecord<Kernel, CellSlots, typename Base::template Rebind_TDS<Tds>::Other>;
+    using Other = SpatialCellRecord<Kernel, CellSlots, FacetSlots, typename Base::template Rebind_TDS<Tds>::Other>;
   };
   using typename Base::Cell_handle;
   using typename Base::Vertex_handle;
@@ -88,7 +102,19 @@ class SpatialCellRecord : public Base {
   int region() const { return region_; }
   void set_region(int region) { region_ = region; }
 
-  void clear_slots() { slots.fill(-1); }
+  QueuePosition facet_slot(int i, std::size_t k) const { return facet_slots_.at(i, k); }
+  void set_facet_slot(int i, std::size_t k, QueuePosition position) {
+    if constexpr (FacetSlots > 0) facet_slots_.at(i, k) = position;
+  }
+  /// Face i is the same as face j of a neighbour, which keeps its slots.
+  void share_facet_slots(int i, const SpatialCellRecord& neighbour, int j) {
+    for (std::size_t k = 0; k < FacetSlots; ++k) set_facet_slot(i, k, neighbour.facet_slot(j, k));
+  }
+
+  void clear_slots() {
+    slots.fill(-1);
+    facet_slots_.clear();
+  }
   void forget() {
     marks_ = 0;
     region_ = -1;
@@ -101,6 +127,7 @@ class SpatialCellRecord : public Base {
   }
   std::uint16_t marks_;
   std::int32_t region_;
+  [[no_unique_address]] FacetSlotArray<FacetSlots> facet_slots_;
 
  public:
   std::array<QueuePosition, CellSlots> slots;
