@@ -175,7 +175,7 @@ TEST_CASE("points on a torus are meshed as a torus", "[point_set]") {
 }
 
 TEST_CASE("points in an even spiral exactly on a sphere are meshed as one sphere", "[point_set]") {
-  for (const std::size_t count : {100, 400, 1000}) {
+  for (const std::size_t count : {std::size_t{100}, std::size_t{400}, std::size_t{1000}}) {
     Scanner scanner;
     scanner.spiral(1.37, count);
     PointSet inwards = scanner.set;
@@ -238,7 +238,7 @@ TEST_CASE("a shell with normals has two surfaces and is hollow", "[point_set]") 
 TEST_CASE("a noisy sphere stays one, with normals, without and smoothed", "[point_set]") {
   const PointSet noisy = scanned_sphere(2500, 0.03);
   for (const PointSet& set : {noisy, PointSet{noisy.points, {}}})
-    for (const std::size_t passes : {0, 2}) {
+    for (const std::size_t passes : {std::size_t{0}, std::size_t{2}}) {
       const PointSetDomain domain(set, {.smoothing_passes = passes});
       const Meshed mesh = meshed(domain, unit_sphere);
       CHECK(mesh.shape.is_closed);
