@@ -19,7 +19,7 @@ struct SmoothOptions {
   /// No angle of a facet of the surface is smaller. 30 degrees end by proof on smooth surfaces.
   AngleBound facet_angle = AngleBound::degrees(30);
   /// Bound on the radius of surface balls: a facet's corners are on such a ball, its centre is on the surface. Where nothing bounds
-  /// the size of facets, and no distance does, a 20th of the longest side of the domain's bounds.
+  /// the size of facets, and no distance does, a 20th of the extent of the surface.
   double facet_size = unbounded;
   /// Bound on the distance between a facet's circumcentre and the centre of its surface ball.
   double facet_distance = unbounded;
@@ -29,8 +29,8 @@ struct SmoothOptions {
   bool manifold = true;
   /// How exactly the surface is found, as a part of the shortest edge of each facet, or of the facet size where that is less.
   double surface_tolerance = 1e-6;
-  /// Facets with surface balls of no greater radius are left as they are. 0: a thousandth of the facet size (of a 20th of the longest
-  /// side of the bounds where there is none).
+  /// Facets with surface balls of no greater radius are left as they are. 0: a thousandth of the facet size (of a 20th of the
+  /// extent of the surface where that is less, or where there is none).
   double smallest_facet = 0;
 
   /// Only the surface is refined, and the mesh has no tetrahedra.
